@@ -139,7 +139,9 @@ impl Exported {
             }
             ExportForm::Table(table, steps) => {
                 out.add(&table.header()).await;
+                let table = Arc::new(table);
                 for number in steps {
+                    let table = Arc::clone(&table);
                     let text = jobs.store.step(id, number).await?;
                     let rows = move || {
                         let step = read_step(&text.text().map_err(StoreError::damaged)?)?;

@@ -45,7 +45,7 @@ fn row(passes: &PassesReport, index: usize) -> String {
     let strained = [most(0), most(1)].into_iter().flatten();
     let strained = strained.reduce(|a, b| if b.0 > a.0 { b } else { a });
     let of_body = |name: Name| strained?.1.get(name.name())?.value.get(index).copied();
-    let shown = |value: Option<f64>, factor: f64, digits: usize| {
+    let shown = |value: Option<f64>, factor: f64, digits: i32| {
         value.map_or_else(|| "—".to_owned(), |value| significant(factor * value, digits))
     };
     format!(

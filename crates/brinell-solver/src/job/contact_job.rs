@@ -182,10 +182,10 @@ fn is_test(document: &Node) -> bool {
     test.is_some_and(|test| *test != Node::Null)
 }
 
-/// Whether the job names the paper's method.
+/// Whether the job names the method of Jiang and Shang.
 fn is_paper(document: &Node) -> bool {
     let method = document.at("/solver").and_then(|solver| solver.at("/method"));
-    matches!(method, Some(Node::Text(word)) if *word == Method::Paper.name())
+    matches!(method, Some(Node::Text(word)) if Method::of_word(word) == Some(Method::JiangShang))
 }
 
 /// Refuses two rigid bodies. The check reads the document, so that other faults do not hide this

@@ -10,10 +10,20 @@ use strum::VariantArray;
 pub trait Named: Copy + VariantArray + Into<&'static str> {
     /// All values, in the order in which messages list them.
     const ALL: &'static [Self] = Self::VARIANTS;
+    /// Words of earlier versions, which are read and not written.
+    const FORMER: &'static [(&'static str, Self)] = &[];
 
     /// Returns the word of this value.
     fn name(self) -> &'static str {
         self.into()
+    }
+
+    /// Returns the value that a word names, or named in an earlier version.
+    fn of_word(word: &str) -> Option<Self> {
+        let now = Self::ALL.iter().copied().find(|value| value.name() == word);
+        now.or_else(|| {
+            Self::FORMER.iter().find(|(former, _)| *former == word).map(|(_, now)| *now)
+        })
     }
 }
 

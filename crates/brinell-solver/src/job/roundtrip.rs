@@ -133,3 +133,12 @@ fn words_are_those_that_are_serialized() {
     check::<Coupling>();
     check::<ContactMethod>();
 }
+
+#[test]
+fn a_former_word_is_read_and_not_written() {
+    let example = include_str!("../../../../api/examples/paper_cylinders.json");
+    let read = |text: &str| Job::from_json(text.as_bytes()).unwrap();
+    let former = read(&example.replace("\"jiang_shang\"", "\"paper\""));
+    assert_eq!(former, read(example));
+    assert_eq!(serde_json::to_value(&former).unwrap()["solver"]["method"], "jiang_shang");
+}

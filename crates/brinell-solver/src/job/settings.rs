@@ -55,10 +55,12 @@ pub enum Method {
     /// The method of Jiang and Shang: deformation theory, total initial stress on an elastic
     /// stiffness that is factorized once, strong coupling, contact by the simplex with restricted
     /// basis entry.
-    Paper,
+    JiangShang,
 }
 
-impl Named for Method {}
+impl Named for Method {
+    const FORMER: &'static [(&'static str, Self)] = &[("paper", Self::JiangShang)];
+}
 
 /// The alternation between contact and plasticity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, IntoStaticStr, VariantArray)]
@@ -99,7 +101,7 @@ record! {
     /// Iteration controls.
     #[derive(Copy)]
     pub struct SolverSettings("", "Solver") where rules {
-        /// `paper` is the method of Jiang and Shang: deformation theory, strong coupling, contact by
+        /// `jiang_shang` is their published method: deformation theory, strong coupling, contact by
         /// the simplex; `coupling` may be `weak` or `secant_stiffness` for their comparisons.
         pub method: Method = Field::choice::<Method>("Method").label("Method", ""),
         /// Theory of plasticity: `flow` follows the loads from rest in increments; `deformation`
@@ -137,7 +139,7 @@ impl SolverSettings {
     /// Returns the settings of the paper's method.
     pub fn paper() -> Self {
         Self {
-            method: Method::Paper,
+            method: Method::JiangShang,
             theory: Theory::Deformation,
             coupling: Coupling::Strong,
             contact: ContactMethod::Simplex,
@@ -148,7 +150,7 @@ impl SolverSettings {
 
 /// The paper's method brings its theory, its couplings and its contact method.
 fn rules(known: &Known) -> Vec<FieldError> {
-    if known.word("method") != Some(Method::Paper.name()) {
+    if known.word("method") != Some(Method::JiangShang.name()) {
         return Vec::new();
     }
     let paper = SolverSettings::paper();
@@ -161,8 +163,8 @@ fn rules(known: &Known) -> Vec<FieldError> {
     let words = ["theory", "coupling", "contact"].map(|key| (key, known.word(key)));
     let foreign = words.into_iter().filter_map(|(key, word)| {
         word.filter(|word| !is_of_paper(key, word))?;
-        let detail = "must be left to the method `paper`, which is deformation theory with the \
-                      coupling `strong`, `weak` or `secant_stiffness` and the contact method \
+        let detail = "must be left to the method `jiang_shang`, which is deformation theory with \
+                      the coupling `strong`, `weak` or `secant_stiffness` and the contact method \
                       `simplex`";
         Some(FieldError::new(format!("/{key}"), detail))
     });

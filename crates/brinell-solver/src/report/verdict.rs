@@ -129,7 +129,7 @@ impl Facts<'_> {
         };
         let (value, digits, at_most) = match row.at_most.filter(|_| row.at_least.is_none()) {
             Some(most) => (most, UNBOUNDED_DIGITS, "at most "),
-            None => (value, row.error.digits(), ""),
+            None => (value, row.error.digits(value), ""),
         };
         let value = to_digits(factor * value, digits);
         format!("{at_most}{value} {unit}").trim_end().to_owned()
@@ -214,7 +214,7 @@ impl Facts<'_> {
             }
             let force_now = self.write.force(self.known.figures.force);
             let part = first.value.map_or(0.0, |first| force_now / first);
-            let part = to_digits(100.0 * part, first.error.digits().min(3));
+            let part = to_digits(100.0 * part, first.error.digits(part).min(3));
             return format!("Elastic: this force is {part} % of that of first yield, {force}.");
         }
         match row(Name::Utilization) {
@@ -335,19 +335,30 @@ const UNBOUNDED_DIGITS: usize = 2;
 const MOST_DIGITS: usize = 5;
 
 impl ErrorBar {
-    /// Returns the number of digits that are known: the last one is that of the bar.
-    pub(super) fn digits(self) -> usize {
-        match self.bound() {
-            None => UNBOUNDED_DIGITS,
-            Some(error) if error > 0.0 => {
-                let mut digits = 1;
-                let mut unit = 0.1;
-                while digits < MOST_DIGITS && error < unit {
-                    (digits, unit) = (digits + 1, 0.1 * unit);
-                }
-                digits
-            }
-            Some(_) => MOST_DIGITS,
+    /// Returns the number of digits of a value that are known: the last is the first of its error.
+    pub(super) fn digits(self, value: f64) -> usize {
+        let Some(error) = self.bound() else { return UNBOUNDED_DIGITS };
+        let mut digits = 1;
+        let mut unit = 10f64.powf(value.abs().log10().floor());
+        while digits < MOST_DIGITS && error * value.abs() < unit {
+            (digits, unit) = (digits + 1, 0.1 * unit);
         }
+        digits
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::answers::ErrorWord;
+    use super::*;
+
+    #[test]
+    fn the_last_digit_is_that_of_the_error() {
+        for (value, error, digits) in
+            [(0.278, 0.37, 1), (1.45, 0.11, 2), (9.5, 0.02, 2), (1150.4, 0.0086, 3), (3.0, 0.0, 5)]
+        {
+            assert_eq!(ErrorBar::Relative(error).digits(value), digits, "{value} {error}");
+        }
+        assert_eq!(ErrorBar::Word(ErrorWord::NotBounded).digits(3.0), 2);
     }
 }

@@ -176,7 +176,7 @@ fn the_same_pin_however_it_is_asked_for() {
         assert_within(step[Name::PeakPressure], reference[Name::PeakPressure], 1e-5);
         assert_within(step.approach().unwrap(), reference.approach().unwrap(), 1e-4);
     }
-    job["load"] = json!({"approach": reference.approach});
+    job["load"] = json!({"approach": reference.approach()});
     assert_within(step(&job)[Name::Force], 6000.0, 5e-3);
 }
 

@@ -35,7 +35,7 @@ fn an_increment_without_an_answer_is_repeated_in_smaller_ones() {
     assert!(says(step, "collapse").is_none());
     let strain = step.body(Name::MeanPlasticStrain, Side::Upper).unwrap();
     assert!(strain < 0.5, "{strain}");
-    let ends = &step.flow.as_ref().unwrap().increments.force;
+    let ends = &step.increments.as_ref().unwrap().force;
     let sizes: Vec<f64> = ends.windows(2).map(|ends| ends[1] - ends[0]).collect();
     assert!(sizes.windows(2).any(|sizes| sizes[1] < 0.6 * sizes[0]), "none halved: {sizes:?}");
     // 300 increments have a peak of 1049 MPa; six elements bound no peak on a ring near the end.

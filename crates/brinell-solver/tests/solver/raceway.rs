@@ -112,7 +112,8 @@ fn below_yield_nothing_changes() {
 #[test]
 fn friction_has_a_sense() {
     let forward = |friction: f64| {
-        body(&step(&ball(10_500.0, &json!({"force": 30.0, "friction": friction}))), 1).forward
+        let step = step(&ball(10_500.0, &json!({"force": 30.0, "friction": friction})));
+        body(&step, 1, Name::ForwardDisplacement)
     };
     let [driven, free, braked] = [-0.2, 0.0, 0.2].map(forward);
     assert!(driven < free && free < braked && braked > 0.0, "{driven} {free} {braked}");

@@ -181,9 +181,14 @@ impl<'a> Cursor<'a> {
 
     /// Returns a value of an enumeration.
     pub fn named<T: Named>(&self) -> Option<T> {
-        let names: Vec<_> = T::ALL.iter().map(|value| value.name()).collect();
-        let word = self.word(&names)?;
-        T::ALL.iter().copied().find(|value| value.name() == word)
+        let found = match self.node {
+            Node::Text(written) => T::of_word(written),
+            _ => None,
+        };
+        found.or_else(|| {
+            let names: Vec<_> = T::ALL.iter().map(|value| value.name()).collect();
+            T::of_word(self.word(&names)?)
+        })
     }
 
     /// Returns an array with a number of items in a range. All items are read.

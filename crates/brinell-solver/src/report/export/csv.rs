@@ -306,7 +306,7 @@ fn cells(text: &mut String, number: usize, step: &StepReport) {
     for (x, (pressure, gap)) in nodes.x.iter().zip(nodes.pressure.iter().zip(&nodes.gap)) {
         row(*x, 0.0, *pressure, *gap);
     }
-    for section in &contact.section {
+    if let Some(section) = &contact.section {
         let values = section.pressure.iter().zip(&section.gap);
         for (y, (pressure, gap)) in section.y.iter().zip(values) {
             row(0.0, *y, *pressure, *gap);

@@ -199,7 +199,7 @@ fn strain(rule: &Ruled) -> String {
     let Some(error) = rule.rate_error.filter(|error| error.is_finite() && rate > 0.0) else {
         return format!("{} %", about(100.0 * rate));
     };
-    let digits = ErrorBar::Relative(error / rate).digits();
+    let digits = ErrorBar::Relative(error / rate).digits(rate);
     format!("{} ± {} %", to_digits(100.0 * rate, digits), to_digits(100.0 * error, 2))
 }
 
