@@ -65,7 +65,7 @@ def test_an_error_is_a_bound_or_has_a_reason() -> None:
 def test_what_is_not_known_is_nan_and_has_its_bounds_in_words() -> None:
     found = result({"value": None, "error": "not_bounded", "at_least": 0.002, "elastic": None})
     assert math.isnan(found["max_plastic_strain"])
-    assert "≥ 0.2 %" in " ".join(repr(found).split())
+    assert "Largest plastic strain not known % ≥ 0.2" in " ".join(repr(found).split())
     assert found.get("dent_depth", "max_plastic_strain") is math.nan
 
 

@@ -24,12 +24,13 @@ def unit_of_force(result: ResultData) -> str:
 def _line(row: Row) -> tuple[str, str, str, str, str]:
     """Name, figure, error bar, Hertz's figure and unit."""
     factor, unit = (100.0, "%") if row.quantity in ("strain", "ratio") else (1.0, row.unit)
-    known = {"": row.value, "≥ ": row.at_least, "≤ ": row.at_most}
-    said = [f"{sign}{factor * one:.5g}" for sign, one in known.items() if not math.isnan(one)]
-    bar = f"± {100 * row.error:.2g} %" if row.error > 0.0 else ""
+    is_known = not math.isnan(row.value)
+    shown = f"{factor * row.value:.5g}" if is_known else "not known"
+    ends = {"≥": row.at_least, "≤": row.at_most}
+    bounds = [f"{sign} {factor * end:.3g}" for sign, end in ends.items() if not math.isnan(end)]
+    bar = f"± {100 * row.error:.2g} %" if row.error > 0.0 else " ".join(bounds)
     hertz = f"{factor * row.elastic:.5g}" if row.elastic > 0.0 else ""
-    shown = said[0] if said else "not known"
-    return (row.label, shown, bar, hertz, unit if said or hertz else "")
+    return (row.label, shown, bar, hertz, unit if is_known or bar or hertz else "")
 
 
 def _lines(result: ResultData) -> list[tuple[str, str, str, str, str]]:
@@ -51,11 +52,16 @@ def text_of(result: ResultData) -> str:
         return f"<Result: {result.status}{f': {result.error}' if result.error else ''}>"
     remarks = [f"! {remark.code}: {remark.message}" for remark in result.remarks]
     lines = _lines(result)
+    width = max([30, *(len(name) + 1 for name, *_ in lines)])
     rows = [
-        f"{name:30}{value:>12} {unit:6} {bar:10}{f'Hertz {hertz}' if hertz else ''}".rstrip()
+        f"{name:{width}}{value:>12} {unit:6} {bar:10}{f'Hertz {hertz}' if hertz else ''}".rstrip()
         for name, value, bar, hertz, unit in lines
     ]
-    bars = ["± is the error of mesh and increments"] if any(bar for *_, bar, _, _ in lines) else []
+    bars = (
+        ["± is the error of mesh and increments"]
+        if any("±" in bar for _, _, bar, _, _ in lines)
+        else []
+    )
     verdict = [result.verdict.text] if result.verdict.text else []
     return "\n".join([_head(result), *verdict, *remarks, *rows, *bars])
 
