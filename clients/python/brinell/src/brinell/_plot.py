@@ -196,12 +196,9 @@ class Plot:
             ax.plot(values.index, values, line, label=f"{name} body", **style)
         if quantity in ("net_strain", "pass_strain") and (ax.get_ylim()[1] > 0.0):
             ax.set_yscale("log", nonpositive="mask")
-        unit = ""
-        if "sigma" in quantity:
-            unit = f" [{self._stress}]"
-        elif "strain" not in quantity:
-            unit = f" [{self._length}]"
-        ax.set(xlabel="pass", ylabel=quantity.replace("_", " ") + unit)
+        unit = self._result.steps[step].row(quantity).unit
+        title = quantity.replace("_", " ") + (f" [{unit}]" if unit else "")
+        ax.set(xlabel="pass", ylabel=title)
         ax.legend(frameon=False)
         return ax
 
