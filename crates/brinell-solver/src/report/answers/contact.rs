@@ -1,6 +1,6 @@
 //! Rows of the contact: pressure, size, force; heights and rollers.
 
-use super::{Answer, AnswerBody, AnswerPlace, Bar, Facts, Name};
+use super::{Answer, AnswerBody, AnswerPlace, Bar, Facts, Name, ROUNDING};
 use crate::contact::ContactLoad;
 use crate::job::{Analysis, Load, Shape};
 use crate::report::known::{Hertz, RollerFigures, Rough, Whole};
@@ -60,9 +60,11 @@ impl Facts<'_> {
         let place = self.on_surface([0.0, end]).filter(|_| edge > 0.0);
         let mut rows = vec![self.row(Name::EdgePressure, edge).place(place).text(text)];
         let [_, longer] = whole.semi_axes;
-        let is_even = roller.moment.abs() <= 1e-6 * self.known.figures.force * longer;
+        let part = roller.moment.abs() / (self.known.figures.force * longer);
+        let is_even = part.is_nan() || part <= 1e-6;
+        let moment = if part > ROUNDING { roller.moment } else { 0.0 };
         let moment = self
-            .row(Name::Moment, roller.moment)
+            .row(Name::Moment, moment)
             .text("of the pressure about the middle, positive towards y");
         let tilt = self
             .row(Name::Tilt, roller.tilt)
@@ -115,8 +117,9 @@ impl Facts<'_> {
     }
 
     /// Returns a note on elastic figures beside those of a dent.
-    const fn of_dent(&self) -> &'static str {
-        if self.measured.is_dented { "elastic bodies without a dent" } else { "" }
+    fn of_dent(&self) -> &'static str {
+        let has_elastic = self.measured.is_dented && self.hertz().is_some();
+        if has_elastic { "elastic bodies without a dent" } else { "" }
     }
 
     fn peak(&self) -> Answer {
