@@ -74,7 +74,9 @@ function row(scale, { id, report, problem, done }, close) {
     ? [
         [
           number ? wholeOf(number) : 'none: it has not yielded',
-          ...(report.validity ?? []).map(({ message }) => h('p', { class: 'quiet' }, inWords(message))),
+          ...(report.validity ?? []).map(({ message }) =>
+            h('p', { class: 'quiet' }, inWords(message)),
+          ),
         ],
         toldOf(found),
       ]
