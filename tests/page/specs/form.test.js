@@ -389,7 +389,7 @@ service.test(
       await dialog.getByLabel(scale, { exact: true }).uncheck();
     await dialog.getByRole('button', { name: 'Measure' }).click();
     await dialog.getByText('Choose a scale.').waitFor();
-    for (const scale of ['HBW 2.5/187.5', 'HRB'])
+    for (const scale of ['HBW 2.5/187.5', 'HRC'])
       await dialog.getByLabel(scale, { exact: true }).check();
     await dialog.getByRole('button', { name: 'Measure' }).click();
     const rows = dialog.locator('tbody tr');

@@ -147,8 +147,7 @@ names! {
         "largest von Mises stress over the yield stress below a hardened case";
     PlasticDepth "Plastic depth" Length None "depth down to which there is plastic strain";
     ShakedownPressure "Shakedown pressure" Stress Exact
-        "Hertz's peak up to which perfectly plastic bodies shake down; `place` is the depth that \
-         decides";
+        "Hertz's peak up to which perfectly plastic bodies shake down";
     KinematicShakedownPressure "Kinematic shakedown" Stress None
         "the same of bodies whose backstress has no bound, on these layers";
     EffectiveRadius "Effective radius" Length Exact
