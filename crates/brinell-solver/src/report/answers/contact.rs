@@ -21,8 +21,8 @@ impl Facts<'_> {
         self.whole()?.roller
     }
 
-    fn on_surface(&self, [x, y]: [f64; 2]) -> Option<AnswerPlace> {
-        Some(self.place(AnswerBody::Both, [x, y, 0.0]))
+    fn on_surface(&self, [x, y]: [f64; 2]) -> AnswerPlace {
+        self.place(AnswerBody::Both, [x, y, 0.0])
     }
 
     pub(super) fn of_heights(&self) -> Vec<Answer> {
@@ -57,7 +57,7 @@ impl Facts<'_> {
             "the middle of the roller does not touch".to_owned()
         };
         let end = roller.ends[usize::from(high >= low)];
-        let place = self.on_surface([0.0, end]).filter(|_| edge > 0.0);
+        let place = (edge > 0.0).then(|| self.on_surface([0.0, end]));
         let mut rows = vec![self.row(Name::EdgePressure, edge).place(place).text(text)];
         let [_, longer] = whole.semi_axes;
         let part = roller.moment.abs() / (self.known.figures.force * longer);
@@ -139,14 +139,14 @@ impl Facts<'_> {
             }
             Some((pressure, place)) => meshed(pressure)
                 .bar(Bar::none("remark `surface_end`"))
-                .place(self.on_surface(place))
+                .place(Some(self.on_surface(place)))
                 .text("largest pressure of a cell, without the cells of the rim"),
             None => {
                 let elastic = self.hertz().map(|hertz| self.write.stress(hertz.peak_pressure));
                 let least = self.least_peak().map(|least| self.write.stress(least));
                 meshed(known.figures.peak_pressure)
                     .elastic(elastic)
-                    .place(self.on_surface(known.peak_place))
+                    .place(Some(self.on_surface(known.peak_place)))
                     .at_least(least, self.of_dent())
             }
         }
