@@ -73,6 +73,10 @@ impl Utilization {
 }
 
 impl Fatigue {
+    /// Relative error of the largest utilization, times the cells over half the contact: Hertz's line
+    /// and circle have up to 0.08 and 0.21 on 6 cells, and less on more.
+    pub const OF_CELLS: f64 = 0.25;
+
     /// The utilization of a body at some depths \[mm\], from the surface down, under a pressure
     /// with a traction `friction` times it. `at_rest` is the hydrostatic part of the stress that
     /// stands still, at a depth and a y \[MPa\].

@@ -29,13 +29,13 @@ pub struct Passing {
     first: f64,
     /// Row by row, along x.
     pressure: Vec<f64>,
-    elastic: Elastic,
+    below: Below,
     slides: bool,
 }
 
-/// Stress by the elastic constants of a body.
+/// What lies below the pressure, with the elastic constant of its stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Elastic {
+enum Below {
     /// Below a line: stress out of the section over the sum of both in it.
     Section { out_of_plane: f64 },
     /// Below an area.
@@ -54,7 +54,7 @@ impl Passing {
             sides: [h, 1.0],
             first: 0.0,
             pressure: pressure[first..=last].to_vec(),
-            elastic: Elastic::Section { out_of_plane },
+            below: Below::Section { out_of_plane },
             slides: false,
         })
     }
@@ -73,7 +73,7 @@ impl Passing {
             sides: [grid.hx(), grid.hy()],
             first: grid.y(near),
             pressure: (near..=far).flat_map(row).collect(),
-            elastic: Elastic::Space { poisson },
+            below: Below::Space { poisson },
             slides: false,
         })
     }
@@ -162,11 +162,11 @@ impl Passing {
     /// The stress at a depth \[mm\].
     pub fn at(&self, depth: f64) -> Level<'_> {
         let [hx, hy] = self.sides;
-        let kernel = match self.elastic {
-            Elastic::Section { out_of_plane } => {
+        let kernel = match self.below {
+            Below::Section { out_of_plane } => {
                 self.of_strips(depth.max(SURFACE * hx), out_of_plane)
             }
-            Elastic::Space { poisson } => self.of_cells(depth.max(SURFACE * hx.min(hy)), poisson),
+            Below::Space { poisson } => self.of_cells(depth.max(SURFACE * hx.min(hy)), poisson),
         };
         Level { of: self, kernel }
     }

@@ -9,9 +9,9 @@ use brinell_halfspace::engine::half_spaces::{self, Conformity, HalfSpaceProblem,
 use brinell_halfspace::engine::rolling::{
     self, Footprint, HardeningRules, RollingLoad, RollingProblem, TrackField, TrackStep,
 };
-use brinell_halfspace::{Fatigue, Utilization};
+use brinell_halfspace::{Fatigue, Passing, Utilization};
 use brinell_material::analytical::ElasticConstants;
-use brinell_material::fatigue::{Criterion, Cycle, FatigueStrength, Limits, Stress, Stressed};
+use brinell_material::fatigue::{Criterion, Cycle, FatigueStrength, Limits, Stress};
 use brinell_material::hardening::StraightLine;
 use brinell_material::{InitialStressProfile, Solid};
 use brinell_method::observer::{SolveStatus, Unobserved};
@@ -257,29 +257,46 @@ fn bodies_that_flow_have_none() {
     assert!(rolled(&without).fatigue == [None, None]);
 }
 
-/// Q^-3 of balls and Q^-4 of lines, by Lundberg and Palmgren's exponents and the engine's stresses.
+/// Lundberg and Palmgren's life `L ~ (z^h / (τ^c V))^(1/e)` with c = 31/3, h = 7/3, and V the depth
+/// times the width of the contact: Q^-3 of balls with e = 10/9, Q^-4 of lines with 9/8.
 #[test]
 fn lives_fall_with_the_force_as_lundberg_and_palmgren_have_it() {
-    let of_line = |times: f64| {
-        let mut problem = line(body(NEVER, limits(0.25)), 0.0, 16);
+    let life = |mut problem: RollingProblem, times: f64, e: f64| {
         problem.load.force *= times;
-        problem
-    };
-    let of_ball = |times: f64| {
-        let mut problem = ball(body(NEVER, limits(0.25)), 8);
-        problem.load.force *= times;
-        problem
-    };
-    let stressed = |problem: &RollingProblem| {
-        let field = rolled(problem);
-        let largest = by(field.fatigue[1].as_ref().unwrap(), Criterion::OrthogonalShear).largest;
+        let field = rolled(&problem);
+        let fatigue = field.fatigue[1].as_ref().unwrap();
+        let largest = by(fatigue, Criterion::OrthogonalShear).largest;
         let width = field.last.half_width_across.unwrap_or(1.0);
-        Stressed { shear: largest.value, depth: largest.depth, section: largest.depth * width }
+        let power = largest.value.powf(-31.0 / 3.0) * largest.depth.powf(7.0 / 3.0 - 1.0) / width;
+        power.powf(1.0 / e)
     };
-    let line = stressed(&of_line(2.0)).life_over(stressed(&of_line(1.0)), true);
-    near(line * 2f64.powi(4), 1.0, 0.01);
-    let ball = stressed(&of_ball(2.0)).life_over(stressed(&of_ball(1.0)), false);
-    near(ball * 2f64.powi(3), 1.0, 0.01);
+    let lower = || body(NEVER, limits(0.25));
+    let of_line = |times: f64| life(line(lower(), 0.0, 16), times, 9.0 / 8.0);
+    near(of_line(2.0) / of_line(1.0) * 2f64.powi(4), 1.0, 0.01);
+    let of_ball = |times: f64| life(ball(lower(), 8), times, 10.0 / 9.0);
+    near(of_ball(2.0) / of_ball(1.0) * 2f64.powi(3), 1.0, 0.01);
+}
+
+/// The error of a path over cells, beside one over many.
+#[test]
+fn the_error_of_cells_is_bounded() {
+    let strength = FatigueStrength::new(limits(0.25));
+    let of = |passing: Passing, depth: f64| {
+        let depths = (1..30).map(|k| depth * f64::from(k)).collect();
+        Fatigue::of(&passing, 0.0, &strength, depths, |_, _| 0.0, &mut || false).unwrap()
+    };
+    let line = |n: usize| of(Passing::hertz_line(1.0, n, 0.3).unwrap(), 0.04);
+    let circle = |n: usize| of(Passing::hertz_ellipse([1.0; 2], [n; 2], 0.3).unwrap(), 0.04);
+    let (of_line, of_circle) = (line(320), circle(40));
+    for n in [6, 8, 12, 16, 20] {
+        for (found, exact) in [(line(n), &of_line), (circle(n), &of_circle)] {
+            for criterion in Criterion::ALL {
+                let [found, exact] = [&found, exact].map(|of| by(of, criterion).largest.value);
+                let error = n as f64 * (found / exact - 1.0);
+                assert!(error.abs() < Fatigue::OF_CELLS, "{n} {criterion:?}: {error}");
+            }
+        }
+    }
 }
 
 /// Both bodies have their own limits; a job the other way up has the same answer.

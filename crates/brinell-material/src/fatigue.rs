@@ -187,29 +187,6 @@ impl<'a> Cycle<'a> {
     }
 }
 
-/// What Lundberg and Palmgren's life depends on. Units cancel.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stressed {
-    /// Shear stress τ.
-    pub shear: f64,
-    /// Its depth z.
-    pub depth: f64,
-    /// Stressed volume V per length of travel: depth times width of the contact across the travel.
-    pub section: f64,
-}
-
-impl Stressed {
-    /// Life over that of another contact, with Lundberg and Palmgren's exponents of balls or of
-    /// lines.
-    pub fn life_over(self, other: Self, is_line: bool) -> f64 {
-        let e = if is_line { 9.0 / 8.0 } else { 10.0 / 9.0 };
-        let power = (other.shear / self.shear).powf(31.0 / 3.0)
-            * (self.depth / other.depth).powf(7.0 / 3.0)
-            * (other.section / self.section);
-        power.powf(1.0 / e)
-    }
-}
-
 /// Life over that of a contact whose shear stress is `ratio` times smaller, under the same force:
 /// its range over the exponents in use, the smaller one first. `None` of a ratio that is not
 /// positive.
@@ -462,19 +439,8 @@ mod tests {
         near(case.torsion(0.0), 375.0, 6.0);
     }
 
-    /// Q^-3 of balls, Q^-4 of rollers: Hertz's τ and z follow the half-width, the width of a ball's
-    /// track too, that of a roller does not.
     #[test]
-    fn lives_are_those_of_lundberg_and_palmgren() {
-        let of = |force: f64, is_line: bool| {
-            let size = if is_line { force.sqrt() } else { force.cbrt() };
-            let section = if is_line { size } else { size * size };
-            Stressed { shear: size, depth: size, section }
-        };
-        for (is_line, exponent) in [(false, 3), (true, 4)] {
-            let life = of(2.0, is_line).life_over(of(1.0, is_line), is_line);
-            near(life, 0.5f64.powi(exponent), 1e-12);
-        }
+    fn life_is_a_power_of_the_shear_stress() {
         let [short, long] = relative_life(0.9).unwrap();
         near(short, 2.581, 1e-3);
         near(long, 2.960, 1e-3);

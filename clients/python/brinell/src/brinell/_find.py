@@ -42,23 +42,17 @@ class Found(Generic[R]):
 
 
 def figure_of(result: Result, figure: Figure) -> float:
-    """Returns a figure of the last step: by its name among the answers or the attributes of a
-    step, or by a function. NaN where the step is not an answer.
+    """Returns a figure of the last step: by its name, or by a function. NaN where the step is not
+    an answer.
     """
     if not result.steps or not result.last.converged:
         return math.nan
     if callable(figure):
         return float(figure(result))
-    answers = result.data["steps"][-1].get("answers") or []
-    values = [one["value"] for one in answers if one["name"] == figure]
-    if values:
-        return math.nan if values[0] is None else float(values[0])
-    if not hasattr(type(result.last), figure):
-        names = sorted({one["name"] for one in answers})
-        raise ValueError(
-            f"no figure is called {figure!r}" + (f"; there are {names}" if names else "")
-        )
-    return float(getattr(result.last, figure))
+    try:
+        return result[figure]
+    except KeyError as unknown:
+        raise ValueError(unknown.args[0]) from None
 
 
 def number_at(job: JobLike, pointer: str) -> tuple[Mapping[str, Any], float]:

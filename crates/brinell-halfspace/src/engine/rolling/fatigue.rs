@@ -10,19 +10,12 @@ use super::errors::error_of;
 use super::pass::Pass;
 use super::problem::{RollingProblem, initial_stress};
 
-/// A pass and the pressure under which it was made.
-#[derive(Clone, Copy)]
+/// A pass, its pressure in the cells of the window \[MPa\], and the layers below.
 pub(super) struct Passed<'a> {
     pub pass: &'a Pass,
-    pub under: &'a SurfacePressure,
-}
-
-/// The pressure of a pass in the cells of the window \[MPa\], and the layers below.
-#[derive(Debug, Clone)]
-pub(super) struct SurfacePressure {
     pub grid: TrackGrid,
     pub layers: Layers,
-    pub pressure: Vec<f64>,
+    pub pressure: &'a [f64],
 }
 
 /// The fatigue of each body after a pass; `None` of a body that is rigid, without limits, or not
@@ -34,8 +27,8 @@ pub(super) struct SurfacePressure {
 pub(super) fn fatigue(
     problem: &RollingProblem,
     verdicts: &[Option<SteadyState>; 2],
-    fine: Passed<'_>,
-    beside: Option<[Passed<'_>; 2]>,
+    fine: &Passed<'_>,
+    beside: Option<&[Passed<'_>; 2]>,
     stop: &mut Stop<'_>,
 ) -> Result<[Option<Fatigue>; 2], Stopped> {
     let mut found = [None, None];
@@ -85,10 +78,9 @@ fn estimate_errors(
 fn of_body(
     problem: &RollingProblem,
     side: usize,
-    Passed { pass, under }: Passed<'_>,
+    Passed { pass, grid, layers, pressure }: &Passed<'_>,
     stop: &mut Stop<'_>,
 ) -> Result<Option<Fatigue>, Stopped> {
-    let SurfacePressure { grid, layers, pressure } = under;
     let Some(material) = &problem.materials[side] else { return Ok(None) };
     let poisson = material.elastic().poisson_ratio;
     let passing = if problem.is_line() {

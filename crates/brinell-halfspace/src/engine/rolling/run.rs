@@ -10,7 +10,7 @@ use super::design::TrackDesign;
 use super::engine::TrackEngine;
 use super::error::TrackError;
 use super::errors::PassErrors;
-use super::fatigue::{Passed, SurfacePressure, fatigue};
+use super::fatigue::{Passed, fatigue};
 use super::pass::Pass;
 use super::problem::{HardeningRules, Limit, RollingProblem};
 use super::step::{KinematicPasses, TrackField, TrackStep};
@@ -200,13 +200,16 @@ fn fatigue_after(
     run: &mut Run<'_>,
 ) -> ([Option<Fatigue>; 2], Option<Interrupt>) {
     let is_asked = problem.materials.iter().flatten().any(|material| material.fatigue().is_some());
-    let Some(last) = fine.passed().filter(|_| is_asked && !long.is_stopped()) else {
+    let is_asked = is_asked && !long.is_stopped();
+    let Some(last) = is_asked.then(|| fine.passed()).flatten() else {
         return ([None, None], None);
     };
     let as_many = |of: &&Sequence| of.passes.len() == fine.passes.len();
     let passed = |of| Some(of).filter(as_many).and_then(Sequence::passed);
     let beside = passed(coarse).zip(passed(long)).map(|(coarse, long)| [coarse, long]);
-    let found = watched(run, Phase::Output, |stop| fatigue(problem, verdicts, last, beside, stop));
+    let found = watched(run, Phase::Output, |stop| {
+        fatigue(problem, verdicts, &last, beside.as_ref(), stop)
+    });
     found.map_or_else(|error| ([None, None], error.interrupt()), |found| (found, None))
 }
 
@@ -222,8 +225,8 @@ struct Sequence {
     grid: [usize; 3],
     pressure: Vec<f64>,
     gap: Vec<f64>,
-    /// Of the last pass that has converged.
-    under: Option<SurfacePressure>,
+    /// Design of the track and pressure in its cells, of the last pass that has converged.
+    under: Option<(TrackDesign, Vec<f64>)>,
     history: Vec<IterationRecord>,
     /// Length of the track over the semi-axis along the travel.
     length: f64,
@@ -233,7 +236,9 @@ struct Sequence {
 impl Sequence {
     /// The last pass that has converged.
     fn passed(&self) -> Option<Passed<'_>> {
-        Some(Passed { pass: self.passes.last()?, under: self.under.as_ref()? })
+        let (design, pressure) = self.under.as_ref()?;
+        let (grid, layers) = design.lay().ok()?;
+        Some(Passed { pass: self.passes.last()?, grid, layers, pressure })
     }
 
     fn is_stopped(&self) -> bool {
@@ -295,11 +300,7 @@ fn sequence<O: Operators<D, R>, const D: usize, const R: usize>(
             let is_converged = pass.status == SolveStatus::Converged;
             if is_converged {
                 done.passes.push(pass.clone());
-                done.under = next.design.lay().ok().map(|(grid, layers)| SurfacePressure {
-                    grid,
-                    layers,
-                    pressure,
-                });
+                done.under = Some((next.design, pressure));
             }
             done.last = Some(pass);
             start = Some(next.accepted.clone());

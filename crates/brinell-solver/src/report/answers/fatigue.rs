@@ -11,10 +11,6 @@ use crate::report::fatigue::BodyFatigue;
 use crate::solver::method::figures::Figure;
 use crate::units::about;
 
-/// Error of a path over cells, over the number of them in half the contact: the largest of Hertz's
-/// line and circle is 0.2, as measured on 10 to 40 cells.
-const OF_CELLS: f64 = 0.25;
-
 impl Facts<'_> {
     /// Returns the utilization of each body by each criterion, its relative life, and the part of
     /// residual stress.
@@ -98,7 +94,7 @@ impl Facts<'_> {
         let yielded = self.known.zones[side].as_ref().is_some_and(|zone| zone.yielded);
         let strain = (Figure::MaxPlasticStrain, side);
         let strain_bar = if yielded { self.bar_of(strain.0, side) } else { Some(0.0) };
-        let cells = OF_CELLS / f64::from(self.job.mesh.elements_per_half_width);
+        let cells = Fatigue::OF_CELLS / f64::from(self.job.mesh.elements_per_half_width);
         let bar = peak.zip(strain_bar).map(|(peak, strain)| {
             let size = used.largest.value.abs();
             peak + cells + strain * (used.of_rest() / size).abs()
