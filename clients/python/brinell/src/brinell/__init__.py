@@ -55,6 +55,7 @@ from ._errors import (
     Unauthorized,
     Unavailable,
 )
+from ._fatigue import Fatigue
 from ._fields import BodyFields, Fields
 from ._find import Found
 from ._grid import over_grid
@@ -84,6 +85,7 @@ __all__ = [
     "BrinellError",
     "Client",
     "Event",
+    "Fatigue",
     "Fault",
     "Fields",
     "Found",

@@ -102,6 +102,7 @@ def material(
     poisson_ratio: float,
     plasticity: BaseModel | Mapping[str, Any] | None = None,
     initial_stress: Sequence[Mapping[str, Any]] | None = None,
+    fatigue: Mapping[str, Any] | None = None,
 ) -> models.Deformable:
     """An isotropic material, elastic unless it has a hardening law.
 
@@ -111,12 +112,15 @@ def material(
         plasticity: a hardening law: `bilinear(...)`, `swift(...)` and so on.
         initial_stress: stress before any load, by depth: `{"depth": 0, "sigma_x": -500,
             "sigma_z": -500}` and so on.
+        fatigue: limits of high-cycle fatigue [MPa]: `{"torsion": 480, "bending": 800}`, or
+            `{"from_hardness": True}`.
     """
     values = {
         "young_modulus": young_modulus,
         "poisson_ratio": poisson_ratio,
         "plasticity": plasticity,
         "initial_stress": initial_stress,
+        "fatigue": fatigue,
     }
     return checked(models.Deformable, values)
 

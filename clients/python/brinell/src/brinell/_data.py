@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import BrinellError, ServiceError
+from ._fatigue import Fatigue
 from ._fields import Fields
 from ._plain import need
 from ._rows import Row, line_of
@@ -122,6 +123,11 @@ class ResultData(Parts):
     def answers(self) -> list[Row]:
         """The rows that follow from more than one load, then those of the last step."""
         return [*map(Row.of, self.data["answers"]), *self.last.answers]
+
+    @property
+    def fatigue(self) -> Fatigue | None:
+        """Whether the bodies endure; None without limits of fatigue."""
+        return self.last.fatigue
 
     @property
     def remarks(self) -> list[Remark]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from ._data import ResultData
 from ._errors import BrinellError
+from ._fatigue import draw as draw_fatigue
 from ._fields import BodyFields, Fields
 from ._html import unit_of_force
 from ._plain import need
@@ -224,6 +225,10 @@ class Plot:
         ax.set_ylim(bottom=0.0)
         ax.legend(frameon=False)
         return ax
+
+    def fatigue(self, step: int = -1, body: str = "lower", ax: Axes | None = None) -> Axes:
+        """Utilization of a body over depth by each criterion of fatigue; 1 is the limit."""
+        return draw_fatigue(self._result.steps[step].data, body, self._length, _axes(ax))
 
     def _rolling(self, step: int) -> Step:
         one = self._result.steps[step]

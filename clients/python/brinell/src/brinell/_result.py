@@ -32,7 +32,7 @@ class Result(ResultData):
     @property
     def plot(self) -> Plot:
         """Pictures: `plot.pressure()`, `.depth()`, `.field()`, `.load_approach()`, `.dent()`,
-        `.residual_stress()`, `.passes()`, `.shakedown_map()`, `.hardness()`.
+        `.residual_stress()`, `.passes()`, `.shakedown_map()`, `.fatigue()`, `.hardness()`.
         """
         from ._plot import Plot
 

@@ -39,7 +39,7 @@ class Row:
     """The figure by Hertz's theory."""
     place: dict[str, Any] | None
     at: dict[str, Any] | None
-    """`pass`, `hardening` or `load`; None of the step as it ends."""
+    """`pass`, `hardening`, `criterion` or `load`; None of the step as it ends."""
     text: str
     detail: bool
     """Whether it stands behind the figures that answer the job."""
@@ -58,10 +58,13 @@ class Row:
 
     @property
     def column(self) -> str:
-        """Its column in tables: `lower_dent_depth`, `strain_per_pass_kinematic`."""
+        """Its column in tables: `lower_dent_depth`, `strain_per_pass_kinematic`,
+        `fatigue_utilization_dang_van`.
+        """
         body = f"{self.body}_" if self.body in ("upper", "lower") else ""
-        rule = (self.at or {}).get("hardening")
-        return f"{body}{self.name}{f'_{rule}' if rule else ''}"
+        at = self.at or {}
+        apart = [at[key] for key in ("criterion", "hardening") if at.get(key)]
+        return "_".join([f"{body}{self.name}", *apart])
 
 
 class Figures:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ._fatigue import Fatigue
 from ._fields import Array
 from ._plain import need
 from ._rows import Figures, Row
@@ -172,6 +173,11 @@ class Step(Parts):
     def converged(self) -> bool:
         """Whether the solution passes every check."""
         return self.status == "converged"
+
+    @property
+    def fatigue(self) -> Fatigue | None:
+        """Whether the bodies endure; None without limits of fatigue."""
+        return Fatigue(self.data) if self.data.get("fatigue") else None
 
     @property
     def remarks(self) -> list[Remark]:

@@ -339,6 +339,23 @@ class Ellipse(BaseModel):
     ]
 
 
+class FatigueOfHardness(BaseModel):
+    """
+    Limits from the hardness over depth by f_w = 1.6 HV up to 400 HV, t_w = f_w/√3.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    bending: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    from_hardness: Annotated[Literal[True], Field(description='Always true.')]
+    torsion: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
 class Flat(BaseModel):
     """
     A plane half-space; only in three dimensions.
@@ -455,6 +472,37 @@ class ForcesLoad(BaseModel):
     target: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+
+
+class GivenLimits(BaseModel):
+    """
+    Limits of high-cycle fatigue, which are the same at all depths: amplitudes of stress at a stress ratio of -1 that a polished specimen bears without end.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    bending: Annotated[
+        float,
+        Field(
+            description='Limit in bending; the limit in torsion lies between a half of it and itself. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[800.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+    from_hardness: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    torsion: Annotated[
+        float,
+        Field(
+            description='Limit in torsion, of the shear stress. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[480.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
 
 
 class Groove(BaseModel):
@@ -1170,6 +1218,9 @@ class Rigid(BaseModel):
     model_config = ConfigDict(
         extra='forbid',
     )
+    fatigue: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     initial_stress: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -2262,6 +2313,12 @@ class Deformable(BaseModel):
     model_config = ConfigDict(
         extra='forbid',
     )
+    fatigue: Annotated[
+        GivenLimits | FatigueOfHardness | None,
+        Field(
+            description='Limits of high-cycle fatigue; without them nothing is said of it.'
+        ),
+    ] = None
     initial_stress: Annotated[
         list[InitialStress] | None,
         Field(

@@ -117,6 +117,54 @@ class ErrorBar1(RootModel[float]):
     ]
 
 
+class Fatigue(BaseModel):
+    """
+    Utilization over depth by criteria of high-cycle fatigue: the largest across the travel.
+    """
+
+    crossland: Annotated[
+        list[float] | None,
+        Field(
+            description="By Crossland's criterion; `null` where it does not hold for the limits. Without unit."
+        ),
+    ]
+    dang_van: Annotated[
+        list[float] | None,
+        Field(
+            description="By Dang Van's criterion; `null` where it does not hold for the limits. Without unit."
+        ),
+    ]
+    depth: Annotated[
+        list[float],
+        Field(description='Depth below the surface, from 0. Unit: mm (SI: m).'),
+    ]
+    orthogonal_shear: Annotated[
+        list[float] | None,
+        Field(
+            description='By the amplitude of the shear stress along the surface. Without unit.'
+        ),
+    ]
+
+
+class FatigueOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        Fatigue | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        Fatigue | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
 class DisplacementItem(RootModel[list[float]]):
     root: Annotated[list[float], Field(max_length=2, min_length=2)]
 
@@ -870,7 +918,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'collapse', 'large_strain', 'deformation_theory', 'falling_loads', 'no_contact', 'sharp_corner', 'contact_at_edge', 'coarse_mesh', 'unbounded_strain', 'bilinear_curve', 'onset_unknown', 'yield_by_hardness', 'initial_yield', 'coarse_case', 'near_support', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding', 'inclined_pressure', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'bias_unknown', 'outside_scale', 'no_dent', 'thin_specimen', 'narrow_specimen', 'blunt_tip', 'equal_cone'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'collapse', 'large_strain', 'deformation_theory', 'falling_loads', 'no_contact', 'sharp_corner', 'contact_at_edge', 'coarse_mesh', 'unbounded_strain', 'bilinear_curve', 'onset_unknown', 'yield_by_hardness', 'initial_yield', 'coarse_case', 'near_support', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'fatigue', 'fatigue_by_hardness', 'full_sliding', 'inclined_pressure', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'bias_unknown', 'outside_scale', 'no_dent', 'thin_specimen', 'narrow_specimen', 'blunt_tip', 'equal_cone'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -881,6 +929,10 @@ class AnswerAt(BaseModel):
     Of which part of the step, or of which load of the job, a row is.
     """
 
+    criterion: Annotated[
+        Literal['dang_van', 'crossland', 'orthogonal_shear'] | None,
+        Field(description='The criterion of fatigue.'),
+    ] = None
     hardening: Annotated[
         Literal['given', 'isotropic', 'kinematic'] | None,
         Field(description='The rule of hardening, where two were solved.'),
@@ -980,7 +1032,7 @@ class Answer(BaseModel):
     at: Annotated[
         AnswerAt | None,
         Field(
-            description='Of which pass, rule of hardening or load it is; absent of the step as it ends.'
+            description='Of which pass, rule of hardening, criterion or load it is; absent of the step as it ends.'
         ),
     ] = None
     at_least: Annotated[
@@ -1063,6 +1115,12 @@ class Step(BaseModel):
         ),
     ]
     contact: Annotated[Contact, Field(description='The contact over the surface.')]
+    fatigue: Annotated[
+        FatigueOfBodies | None,
+        Field(
+            description='Utilization over depth by criteria of high-cycle fatigue, of a load that rolls after its last pass; absent without limits of fatigue, `null` of a body without, and where it is not known.'
+        ),
+    ] = None
     fields: Annotated[
         FieldsOfBodies | None,
         Field(description='Mesh and nodal fields; absent unless asked for.'),
