@@ -16,7 +16,7 @@ export function save(blob, name) {
 
 /**
  * @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' |
- *   'layers' | 'flow' | 'curve' | 'rolling'][]}
+ *   'layers' | 'flow' | 'curve' | 'rolling' | 'fatigue'][]}
  */
 const FILES = [
   ['Result, JSON', 'result', 'result.json', 'nothing'],
@@ -25,6 +25,7 @@ const FILES = [
   ['Depth profiles, CSV', 'subsurface.csv', 'subsurface.csv', 'subsurface'],
   ['Increments, CSV', 'increments.csv', 'increments.csv', 'flow'],
   ['Passes, CSV', 'passes.csv', 'passes.csv', 'rolling'],
+  ['Fatigue over depth, CSV', 'fatigue.csv', 'fatigue.csv', 'fatigue'],
   ['Surfaces, CSV', 'surface.csv', 'surface.csv', 'flow'],
   ['Field, VTU', 'field.vtu', 'field.vtu', 'fields'],
   ['Layers, VTR', 'field.vtr', 'field.vtr', 'layers'],
@@ -79,6 +80,7 @@ function files(id, job, report, at) {
     subsurface: step?.subsurface !== undefined,
     flow: step?.increments !== undefined,
     rolling: step?.passes !== undefined,
+    fatigue: step?.fatigue !== undefined,
     curve: Boolean(report.load_approach),
   };
   return FILES.filter(([, , , needs]) => there[needs]).map(([name, path, file]) => {

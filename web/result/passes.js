@@ -2,6 +2,7 @@
 
 import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
+import { elasticLimit } from './fatigue.js';
 import { Panel } from './panel.js';
 import { rowOf, valueIn } from './rows.js';
 
@@ -87,12 +88,24 @@ function map(_passes, _report, step) {
     const points = y.filter(Boolean).length === 1;
     return { label, colour, dash: dash && [...dash], x, y, points };
   });
+  const endured = elasticLimit(step);
   return {
     x: 'friction |μ|',
     y: 'Hertz’s peak over k',
     curves: [
       ...curves,
       { label: 'this job', colour: '--curve-2', x: [Math.abs(friction)], y: [here], points: true },
+      ...(endured
+        ? [
+            {
+              label: 'fatigue of elastic bodies',
+              colour: '--curve-5',
+              x: [Math.abs(friction)],
+              y: [here * endured],
+              points: true,
+            },
+          ]
+        : []),
     ],
     words: `This job is at μ ${friction} and ${figure(here, 3)} k.`,
   };

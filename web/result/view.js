@@ -20,6 +20,7 @@ import { DepthPanel } from './depth.js';
 import { DifferencesPanel } from './differences.js';
 import { DisplayUnits } from './display.js';
 import { Downloads } from './downloads.js';
+import { FatiguePanel } from './fatigue.js';
 import { FiguresPanel } from './figures.js';
 import { showHeadline } from './headline.js';
 import { beside, isUnloaded, loadWords } from './loads.js';
@@ -75,6 +76,7 @@ export class View {
     this.convergence = new ConvergencePanel();
     this.sweep = new SweepPanel();
     this.dent = new DentPanel();
+    this.fatigue = new FatiguePanel();
     this.passes = passesPanels();
     this.vary = new VaryPanel(on);
     this.figures = new FiguresPanel((step) => this.#go(step));
@@ -136,19 +138,20 @@ export class View {
   }
 
   get #charts() {
-    const { pressure, spread, map, depth, sweep, dent, passes } = this;
-    return [...passes, pressure, map, spread, dent, depth, sweep];
+    const { pressure, spread, map, depth, sweep, dent, fatigue, passes } = this;
+    return [...passes, pressure, map, spread, dent, depth, fatigue, sweep];
   }
 
   /** Panels beside the tools, those that answer the question first: strains over passes, the curve of a sweep, the dent of a history. */
   get #ordered() {
-    const { sweep, dent, map, passes, pressure, field, other, spread, depth } = this;
+    const { sweep, dent, map, passes, pressure, field, other, spread, depth, fatigue } = this;
     const step = this.#shown[0]?.report.steps[this.#at];
     const [ofPasses, ...others] = passes;
     const left = map.panel.element.hidden ? dent : map;
     const first = step && isUnloaded(step) ? [left] : [ofPasses];
     const curve = step && !step.increments ? [sweep] : [];
-    const all = [...first, ...curve, map, pressure, field, other, depth, spread, ...others];
+    const beside = [depth, fatigue, spread, ...others];
+    const all = [...first, ...curve, map, pressure, field, other, ...beside];
     return [...new Set([...all, dent, sweep])];
   }
 

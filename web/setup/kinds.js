@@ -169,6 +169,7 @@ export class Kinds {
       ...material,
       ...(plasticity && { plasticity }),
       ...(old?.initial_stress && { initial_stress: old.initial_stress }),
+      ...(old?.fatigue && { fatigue: old.fatigue }),
     };
   }
 

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { draft, unfold } from '../jobs.js';
+import { draft, shown, steel, unfold } from '../jobs.js';
 
 const service = suite();
 
@@ -69,3 +69,26 @@ service.test(
       await drawings.getByText(title).first().waitFor();
   },
 );
+
+service.test('limits of fatigue have a curve, a sentence, a mark and a file', async (page) => {
+  const material = { ...steel(2000), fatigue: { torsion: 480, bending: 800 } };
+  const body = { shape: { type: 'cylinder', radius: 20 }, material };
+  await shown(page, {
+    upper: body,
+    lower: body,
+    load: { rolling: { force: 612.6106, passes: 1 } },
+  });
+  await page.locator('#panel-fatigue svg').first().waitFor();
+  const words = await page.locator('#panel-fatigue .plot').getAttribute('aria-label');
+  // Hertz's 1500 MPa.
+  assert.match(
+    words ?? '',
+    /^lower body: largest utilization 0\.5\d+ \(Dang Van\), 0\.\d+ \(Cross/,
+  );
+  const verdict = await page.locator('#headline .verdict-text').innerText();
+  assert.match(verdict, /Endures by all three criteria of fatigue \(utilization /);
+  const legend = page.locator('#panel-shakedown .legend');
+  await legend.getByText('fatigue of elastic bodies').waitFor();
+  await page.getByText('Download', { exact: true }).click();
+  await page.getByText('Fatigue over depth, CSV').waitFor();
+});
