@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray};
 
-use super::answers::{Answer, AnswerBody, ErrorBar, Facts, Name};
+use super::answers::{Answer, AnswerBody, ErrorBar, Facts, Name, endures};
 use super::findings::Finding;
 use crate::job::{Load, Named, Quantity};
 use crate::solver::SolveStatus;
@@ -119,7 +119,7 @@ impl Facts<'_> {
     pub(super) fn verdict(&self, rows: &[Answer]) -> Verdict {
         let (level, text) = self.judged(rows);
         let is_answer = !matches!(level, VerdictLevel::NotConverged | VerdictLevel::Collapse);
-        let (mark, text) = match self.endures(rows).filter(|_| is_answer) {
+        let (mark, text) = match endures(rows).filter(|_| is_answer) {
             Some((true, endures)) => (level.mark(), format!("{text} {endures}")),
             Some((false, endures)) => (level.mark().beside_fatigue(), format!("{text} {endures}")),
             None => (level.mark(), text),

@@ -101,37 +101,37 @@ impl Facts<'_> {
         });
         self.bar(&[(Figure::PeakPressure, 0), strain], bar)
     }
+}
 
-    /// Returns whether the bodies endure by all criteria, and the sentence; `None` without limits and
-    /// where fatigue is not known. Of both bodies the larger utilization counts.
-    pub fn endures(&self, rows: &[Answer]) -> Option<(bool, String)> {
-        let used: Vec<_> =
-            rows.iter().filter(|row| row.is(Name::FatigueUtilization) && !row.detail).collect();
-        let largest = |criterion: &FatigueCriterion| {
-            let of = |row: &&&Answer| row.at.and_then(|at| at.criterion) == Some(*criterion);
-            let values = used.iter().filter(of).filter_map(|row| row.value);
-            values.reduce(f64::max)
-        };
-        let largest: Vec<f64> = FatigueCriterion::VARIANTS.iter().filter_map(largest).collect();
-        let endured = largest.iter().filter(|value| **value <= 1.0).count();
-        let is_close = |row: &&Answer| {
-            let (value, bar) = (row.value.unwrap_or(0.0), row.error.bound().unwrap_or(0.0));
-            (value - 1.0).abs() <= bar * value.abs()
-        };
-        let close = if used.iter().any(is_close) { ", within the error of 100 %" } else { "" };
-        let span = percent_of(&largest)?;
-        let word = |k: usize| ["no", "one", "two", "three"].get(k).copied().unwrap_or_default();
-        let by = match endured {
-            0 => format!("Does not endure by any of {} criteria", word(largest.len())),
-            all if all == largest.len() => format!("Endures by all {} criteria", word(all)),
-            some => format!("Endures by {} of {} criteria", word(some), word(largest.len())),
-        };
-        // A body of which nothing is known has a row without a criterion.
-        let is_unknown = |row: &&Answer| row.at.is_none_or(|at| at.criterion.is_none());
-        let bodies = if used.iter().any(is_unknown) { ", as far as it is known" } else { "" };
-        let text = format!("{by} of fatigue{bodies} (utilization {span}{close}).");
-        Some((endured == largest.len(), text))
-    }
+/// Returns whether the bodies endure by all criteria, and the sentence; `None` without limits and
+/// where fatigue is not known. Of both bodies the larger utilization counts.
+pub(in crate::report) fn endures(rows: &[Answer]) -> Option<(bool, String)> {
+    let used: Vec<_> =
+        rows.iter().filter(|row| row.is(Name::FatigueUtilization) && !row.detail).collect();
+    let largest = |criterion: &FatigueCriterion| {
+        let of = |row: &&&Answer| row.at.and_then(|at| at.criterion) == Some(*criterion);
+        let values = used.iter().filter(of).filter_map(|row| row.value);
+        values.reduce(f64::max)
+    };
+    let largest: Vec<f64> = FatigueCriterion::VARIANTS.iter().filter_map(largest).collect();
+    let endured = largest.iter().filter(|value| **value <= 1.0).count();
+    let is_close = |row: &&Answer| {
+        let (value, bar) = (row.value.unwrap_or(0.0), row.error.bound().unwrap_or(0.0));
+        (value - 1.0).abs() <= bar * value.abs()
+    };
+    let close = if used.iter().any(is_close) { ", within the error of 100 %" } else { "" };
+    let span = percent_of(&largest)?;
+    let word = |k: usize| ["no", "one", "two", "three"].get(k).copied().unwrap_or_default();
+    let by = match endured {
+        0 => format!("Does not endure by any of {} criteria", word(largest.len())),
+        all if all == largest.len() => format!("Endures by all {} criteria", word(all)),
+        some => format!("Endures by {} of {} criteria", word(some), word(largest.len())),
+    };
+    // A body of which nothing is known has a row without a criterion.
+    let is_unknown = |row: &&Answer| row.at.is_none_or(|at| at.criterion.is_none());
+    let bodies = if used.iter().any(is_unknown) { ", as far as it is known" } else { "" };
+    let text = format!("{by} of fatigue{bodies} (utilization {span}{close}).");
+    Some((endured == largest.len(), text))
 }
 
 /// Returns the utilization by all criteria in words: their difference is the bias of the theory.

@@ -8,6 +8,7 @@ mod names;
 mod row;
 mod strength;
 
+pub(super) use fatigue::endures;
 pub use names::{BarKind, Name, table_of_names};
 pub(super) use row::Bar;
 pub use row::{Answer, AnswerAt, AnswerBody, AnswerPlace, ErrorBar, ErrorWord};
