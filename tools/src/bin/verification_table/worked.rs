@@ -2,10 +2,15 @@
 
 mod case_hardened_roller;
 mod example;
+mod fatigue;
 mod rolling_bearing;
 mod static_rating;
 
 pub use example::Example;
 
-pub const EXAMPLES: [Example; 3] =
-    [static_rating::EXAMPLE, case_hardened_roller::EXAMPLE, rolling_bearing::EXAMPLE];
+pub const EXAMPLES: [Example; 4] = [
+    static_rating::EXAMPLE,
+    case_hardened_roller::EXAMPLE,
+    rolling_bearing::EXAMPLE,
+    fatigue::EXAMPLE,
+];
