@@ -351,29 +351,35 @@ fn random_track(dice: &mut Dice, columns: usize) -> RollingProblem {
     problem
 }
 
-fn largest(problem: &RollingProblem) -> Option<Fatigue> {
+/// The fatigue of a body, where its passes tell it.
+fn fatigue_of(problem: &RollingProblem, side: usize) -> Option<Fatigue> {
     let mut steps: Vec<TrackStep> = Vec::new();
     rolling::run(problem, &mut Unobserved, &mut steps).ok()?;
-    let [_, lower] = steps.remove(0).field.fatigue;
-    lower
+    steps.remove(0).field.fatigue[side].take()
 }
 
-/// More force is no less utilization, but for the error; the bars hold on twice the columns.
+/// More force is no less utilization, but for the error; a job the other way up has the same one;
+/// the bars hold on twice the columns.
 #[test]
 #[ignore = "full"]
 fn random_tracks_are_monotonic_and_within_their_bars() {
     let (mut counted, mut held) = (0, 0);
     for seed in 0..80 {
         let mut problem = random_track(&mut Dice(1 + 977 * seed), 12);
-        let Some(here) = largest(&problem) else { continue };
+        let Some(here) = fatigue_of(&problem, 1) else { continue };
         let force = problem.load.force;
         problem.load.force = 1.3 * force;
-        let more = largest(&problem);
+        let more = fatigue_of(&problem, 1);
         problem.load.force = force;
+        problem.materials.swap(0, 1);
+        problem.load.friction *= -1.0;
+        let swapped = fatigue_of(&problem, 0).unwrap();
         problem.columns *= 2;
-        let fine = largest(&problem);
+        let fine = fatigue_of(&problem, 0);
         for criterion in Criterion::ALL {
             let found = by(&here, criterion);
+            let other = by(&swapped, criterion).largest.value;
+            near(other / found.largest.value, 1.0, 1e-9);
             let Some(error) = found.error else { continue };
             if let Some(more) = &more {
                 let more = by(more, criterion).largest.value;
@@ -393,42 +399,5 @@ fn random_tracks_are_monotonic_and_within_their_bars() {
         }
     }
     println!("{held} of {counted}");
-    assert!(counted > 120 && held as f64 >= 0.95 * counted as f64);
-}
-
-/// More force on a ball or an ellipse is more utilization, in the units of another length.
-#[test]
-#[ignore = "full"]
-fn random_pressed_contacts_are_monotonic_and_have_no_unit() {
-    for seed in 0..80 {
-        let dice = &mut Dice(5 + 331 * seed);
-        let limits = limits(dice.between(0.25, 0.4));
-        let (ratio, yield_over) = (dice.between(0.2, 1.0), dice.between(0.5, 4.0));
-        let curvature = 0.5 * PI * PEAK / modulus();
-        let of = |force: f64, size: f64| {
-            let problem = HalfSpaceProblem {
-                materials: [None, Some(body(PEAK * yield_over, limits))],
-                curvature: [curvature / size, ratio * curvature / size, 0.0],
-                conformity: Conformity::default(),
-                rollers: Vec::new(),
-                heights: None,
-                loads: Loads::Each(vec![ContactLoad::Force(force * size * size)]),
-                cells_per_semi_axis: 8,
-                cells_of_slopes: None,
-                onset: None,
-                solver: Settings::default(),
-            };
-            let mut steps: Vec<HalfSpaceStep> = Vec::new();
-            half_spaces::run_each(&problem, &mut Unobserved, &mut steps).unwrap();
-            steps.remove(0).field.fatigue(&problem, 1, &mut || false).unwrap().unwrap()
-        };
-        let force = 2.0 / 3.0 * PI * PEAK;
-        let (here, more, large) = (of(force, 1.0), of(1.3 * force, 1.0), of(force, 1000.0));
-        for criterion in Criterion::ALL {
-            let [here, more, large] =
-                [&here, &more, &large].map(|of| by(of, criterion).largest.value);
-            assert!(more > here, "{seed} {criterion:?}: {here} {more}");
-            assert!((large / here - 1.0).abs() < 1e-6, "{seed} {criterion:?}: {here} {large}");
-        }
-    }
+    assert!(counted > 120 && 20 * held >= 19 * counted);
 }
