@@ -143,10 +143,10 @@ fn curve(fatigue: &Fatigue, write: UnitConverter) -> FatigueReport {
     }
 }
 
-/// Returns the remarks on fatigue; none without limits.
-pub(super) fn remarks(job: &Job) -> Vec<Finding> {
+/// Returns the remarks on fatigue under a force; none without limits.
+pub(super) fn remarks(job: &Job, force: f64) -> Vec<Finding> {
     let limits = Side::BOTH.map(|side| job.fatigue(side));
-    if !job.has_fatigue() {
+    if !job.has_fatigue() || force <= 0.0 {
         return Vec::new();
     }
     let rolls = matches!(job.load, Load::Rolling(_));

@@ -119,15 +119,33 @@ fn the_verdict_counts_the_criteria() {
     }
 }
 
-/// No row, curve, remark or sentence without limits.
+/// No row, curve, remark or sentence without limits, or without a force.
 #[test]
 fn nothing_is_said_without_limits() {
-    let job = line(&steel(&Value::Null), &json!({"force": force()}));
-    let report = solved(&job);
+    let without = line(&steel(&Value::Null), &json!({"force": force()}));
+    let history = json!({"history": [{"force": force()}, {"force": 0}]});
+    let mut unloaded = line(&steel(&limits()), &history);
+    unloaded["lower"]["material"]["plasticity"] =
+        json!({"law": "bilinear", "yield_stress": 450, "tangent_modulus": 2000});
+    unloaded["solver"] = json!({"theory": "flow"});
+    unloaded["mesh"] = json!({"elements_per_half_width": 8});
+    for job in [without, unloaded] {
+        let report = solved(&job);
+        let step = report.steps.last().unwrap();
+        assert!(step.fatigue.is_none() && step.row(Name::FatigueUtilization).is_none());
+        assert!(!step.verdict.text.contains("fatigue"));
+        assert!(step.validity.iter().all(|note| !note.code.starts_with("fatigue")));
+    }
+}
+
+/// Crossland's criterion does not hold for a limit in torsion below 1/√3 of that in bending.
+#[test]
+fn a_criterion_of_negative_weight_is_left_out() {
+    let fatigue = json!({"torsion": 330, "bending": 600});
+    let report = solved(&line(&steel(&fatigue), &json!({"force": force()})));
     let step = &report.steps[0];
-    assert!(step.fatigue.is_none() && step.row(Name::FatigueUtilization).is_none());
-    assert!(!step.verdict.text.contains("fatigue"));
-    assert!(step.validity.iter().all(|note| !note.code.starts_with("fatigue")));
+    assert!(by(step, FatigueCriterion::Crossland).value.is_none());
+    assert!(step.verdict.text.contains("Endures by both criteria"), "{:?}", step.verdict);
 }
 
 /// The first row of fatigue, which has no value for this reason.
@@ -172,7 +190,7 @@ fn static_job(number: usize) -> Value {
         |low: f64, high: f64, irrational: f64| low + (high - low) * part(number, irrational);
     let radius = between(5.0, 50.0, 0.618_034);
     let peak = between(600.0, 2500.0, 0.414_214);
-    let torsion = between(360.0, 500.0, 0.732_051);
+    let torsion = between(410.0, 500.0, 0.732_051);
     let mut material = steel(&json!({"torsion": torsion, "bending": 700}));
     // First yield is at 1.8 times the yield stress of a line and at 1.6 times that of a circle.
     if !number.is_multiple_of(4) {
@@ -256,5 +274,5 @@ fn random_static_jobs_are_monotonic_and_within_their_bars() {
         }
     }
     println!("{held} of {counted} within their bars, {without} without");
-    assert!(counted >= 200 && held as f64 >= 0.95 * counted as f64);
+    assert!(counted >= 200 && 20 * held >= 19 * counted);
 }

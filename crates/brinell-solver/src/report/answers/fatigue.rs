@@ -121,11 +121,13 @@ pub(in crate::report) fn endures(rows: &[Answer]) -> Option<(bool, String)> {
     };
     let close = if used.iter().any(is_close) { ", within the error of 100 %" } else { "" };
     let span = percent_of(&largest)?;
-    let word = |k: usize| ["no", "one", "two", "three"].get(k).copied().unwrap_or_default();
+    // Dang Van's criterion and orthogonal shear hold for all limits that a job may have.
+    let [of_all, all] = if largest.len() == 2 { ["two", "both"] } else { ["three", "all three"] };
     let by = match endured {
-        0 => format!("Does not endure by any of {} criteria", word(largest.len())),
-        all if all == largest.len() => format!("Endures by all {} criteria", word(all)),
-        some => format!("Endures by {} of {} criteria", word(some), word(largest.len())),
+        0 => format!("Does not endure by any of {of_all} criteria"),
+        every if every == largest.len() => format!("Endures by {all} criteria"),
+        1 => format!("Endures by one of {of_all} criteria"),
+        _ => format!("Endures by two of {of_all} criteria"),
     };
     // A body of which nothing is known has a row without a criterion.
     let is_unknown = |row: &&Answer| row.at.is_none_or(|at| at.criterion.is_none());

@@ -84,7 +84,7 @@ pub(super) fn findings(
     }
     findings.extend(bilinear_curve(job, strain));
     findings.extend(by_hardness(job));
-    findings.extend(fatigue::remarks(job));
+    findings.extend(fatigue::remarks(job, step.figures.force));
     let coarsest = bodies()
         .filter_map(|(side, body)| coarsest(deformable([&job.upper, &job.lower][side])?, body));
     if let Some((ratio, depth)) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {

@@ -62,7 +62,7 @@ pub(super) fn findings(
         findings.push(Finding::FullSliding);
     }
     findings.extend(by_hardness(job));
-    findings.extend(fatigue::remarks(job));
+    findings.extend(fatigue::remarks(job, step.figures.force));
     findings.extend(guesses(job));
     if half_width > 0.0 {
         let across_roller = problem.is_line();
