@@ -119,7 +119,8 @@ impl Facts<'_> {
     pub(super) fn verdict(&self, rows: &[Answer]) -> Verdict {
         let (level, text) = self.judged(rows);
         let is_answer = !matches!(level, VerdictLevel::NotConverged | VerdictLevel::Collapse);
-        let (mark, text) = match endures(rows).filter(|_| is_answer) {
+        let may_flow = level == VerdictLevel::AboveShakedownLimit;
+        let (mark, text) = match endures(rows, may_flow).filter(|_| is_answer) {
             Some((true, endures)) => (level.mark(), format!("{text} {endures}")),
             Some((false, endures)) => (level.mark().beside_fatigue(), format!("{text} {endures}")),
             None => (level.mark(), text),

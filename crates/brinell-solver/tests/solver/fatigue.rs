@@ -138,6 +138,19 @@ fn nothing_is_said_without_limits() {
     }
 }
 
+/// Passes of a force above the limit of a perfectly plastic body may flow without end.
+#[test]
+fn a_force_above_the_limit_of_shakedown_endures_on_a_condition() {
+    let mut material = steel(&limits());
+    material["plasticity"] =
+        json!({"law": "bilinear", "yield_stress": 400, "tangent_modulus": 2000});
+    let mut job = line(&material, &json!({"force": force()}));
+    job["mesh"] = json!({"elements_per_half_width": 8});
+    let verdict = &solved(&job).steps[0].verdict;
+    let says = "Endures by all three criteria of fatigue, if its passes shake down (utilization";
+    assert!(verdict.text.contains(says), "{verdict:?}");
+}
+
 /// Crossland's criterion does not hold for a limit in torsion below 1/√3 of that in bending.
 #[test]
 fn a_criterion_of_negative_weight_is_left_out() {

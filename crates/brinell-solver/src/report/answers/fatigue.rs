@@ -104,8 +104,9 @@ impl Facts<'_> {
 }
 
 /// Returns whether the bodies endure by all criteria, and the sentence; `None` without limits and
-/// where fatigue is not known. Of both bodies the larger utilization counts.
-pub(in crate::report) fn endures(rows: &[Answer]) -> Option<(bool, String)> {
+/// where fatigue is not known. Of both bodies the larger utilization counts. Passes of a load that
+/// `may_flow` need not shake down.
+pub(in crate::report) fn endures(rows: &[Answer], may_flow: bool) -> Option<(bool, String)> {
     let used: Vec<_> =
         rows.iter().filter(|row| row.is(Name::FatigueUtilization) && !row.detail).collect();
     let largest = |criterion: &FatigueCriterion| {
@@ -132,7 +133,8 @@ pub(in crate::report) fn endures(rows: &[Answer]) -> Option<(bool, String)> {
     // A body of which nothing is known has a row without a criterion.
     let is_unknown = |row: &&Answer| row.at.is_none_or(|at| at.criterion.is_none());
     let bodies = if used.iter().any(is_unknown) { ", as far as it is known" } else { "" };
-    let text = format!("{by} of fatigue{bodies} (utilization {span}{close}).");
+    let condition = if may_flow { ", if its passes shake down" } else { "" };
+    let text = format!("{by} of fatigue{bodies}{condition} (utilization {span}{close}).");
     Some((endured == largest.len(), text))
 }
 
