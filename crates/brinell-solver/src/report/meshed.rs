@@ -1,7 +1,5 @@
 //! Jobs between meshed bodies, in a plane or of revolution.
 
-use std::sync::Arc;
-
 use super::answers::Measured;
 use super::cost::{
     FIELD_COPIES, JobEstimate, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
@@ -10,7 +8,7 @@ use super::cost::{
 use super::datum::Datum;
 use super::findings::Finding;
 use super::hertz::{line, over_friction};
-use super::known::{Known, Zone};
+use super::known::{self, Known, Zone};
 use super::measured::measured;
 use super::shown::{Arrays, Parts, Shown, Solved};
 use super::{
@@ -128,9 +126,7 @@ impl Shown for Meshed<'_> {
             Ok(PlasticityReport { outline: zone.outline.iter().map(written).collect() })
         })?;
         // Bodies that share one solution share its zone.
-        if let [Some(upper), Some(lower)] = bodies
-            && Arc::ptr_eq(upper, lower)
-        {
+        if known::is_shared(bodies) {
             covers[1] = covers[0];
         }
         arrays.covers = covers;
@@ -188,6 +184,7 @@ impl Shown for Meshed<'_> {
                 bars: error_bars::estimate(job, step, findings),
                 whole: None,
                 rolled: None,
+                is_alike: job.upper.is_alike(&job.lower),
                 is_graded: step
                     .field
                     .bodies

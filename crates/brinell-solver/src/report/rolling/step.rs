@@ -110,6 +110,7 @@ impl Shown for Track<'_> {
                 bars: shown.estimated_error(),
                 whole: None,
                 rolled: Some(shown.rolled()),
+                is_alike: self.input.problem.is_shared(),
                 is_graded: false,
             },
             contact: shown.contact(),
@@ -223,7 +224,6 @@ impl Passes<'_> {
             limits: self.field.limits.map(|limit| limit.filter(|limit| limit.peak_pressure > 0.0)),
             shear_yield_stress: self.problem.shear_yield_stress(),
             last: self.all_passes().last(),
-            is_shared: self.problem.is_shared(),
         }
     }
 
