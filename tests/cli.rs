@@ -60,7 +60,7 @@ fn three_dimensions_have_two_semi_axes_and_two_pictures() {
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let text = stdout(&output);
     for part in
-        ["force 500.0000 N", "shorter semi-axis", "longer semi-axis", "x = 0 mm", "y = 0 mm"]
+        ["force 500.0000 N", "Shorter semi-axis", "Longer semi-axis", "x = 0 mm", "y = 0 mm"]
     {
         assert!(text.contains(part), "{part} is missing in\n{text}");
     }
@@ -129,7 +129,7 @@ fn solve_writes_every_format() {
 #[test]
 fn the_table_says_what_lies_below_the_surface() {
     for (example, words) in [
-        ("case_hardened_roller", ["its stresses × 1.00 to 1.98 over depth", "shakedown pressure"]),
+        ("case_hardened_roller", ["its stresses × 1.00 to 1.98 over depth", "Shakedown pressure"]),
         ("peened_roller", ["σ_x -1000 to 60 before the load", "σ_x -500 to 0 before the load"]),
     ] {
         let output =
@@ -150,15 +150,15 @@ fn the_table_says_what_matters() {
         "lower  Cylinder R 20",
         "force 612.6106 N/mm",
         "converged in",
-        "peak pressure",
-        "half-width",
-        "approach",
-        "largest plastic strain",
-        "utilization",
-        "margin to first yield",
+        "Peak pressure",
+        "Half-width",
+        "Approach",
+        "Largest plastic strain",
+        "Utilization",
+        "Margin to first yield",
         "Yields: 2.8 times first yield at 218.99 N/mm",
         "Hertz",
-        "plastic depth",
+        "Plastic depth",
         "residual",
         "time   ",
     ] {
@@ -180,10 +180,10 @@ fn bodies_of_revolution_have_their_own_words() {
     ball["mesh"] = json!({"elements_per_half_width": 10});
     ball["load"] = json!({"force": 2000.0});
     let table = stdout(&brinell(&["solve", "-", "--format", "table"], &ball.to_string()));
-    for expected in ["upper  Sphere R 20", "contact radius", "r = 0 mm", " at r 0"] {
+    for expected in ["upper  Sphere R 20", "Contact radius", "r = 0 mm", " at r 0"] {
         assert!(table.contains(expected), "{expected:?} is missing:\n{table}");
     }
-    for plane in ["Cylinder", "half-width", "x = 0", "at x"] {
+    for plane in ["Cylinder", "Half-width", "x = 0", "at x"] {
         assert!(!table.contains(plane), "{plane:?} is of plane bodies:\n{table}");
     }
     let drawn = table.lines().skip_while(|line| !line.contains("pressure  [")).skip(1).take(12);
@@ -255,14 +255,14 @@ fn the_table_says_why_a_figure_is_not_known() {
     pin["mesh"] = json!({"elements_per_half_width": 8});
     pin["solver"] = json!({"theory": "flow"});
     let table = stdout(&brinell(&["solve", "-", "--format", "table"], &pin.to_string()));
-    for label in ["half-width", "mean pressure"] {
+    for label in ["Half-width", "Mean pressure"] {
         let line = table.lines().find(|line| line.starts_with(label)).expect(label);
-        assert!(line.ends_with("—  not known: narrower than an"), "{line}");
+        assert!(line.ends_with("—  narrower than an element"), "{line}");
     }
-    let margin = table.find("margin to first yield").expect("a margin");
+    let margin = table.find("Margin to first yield").expect("a margin");
     assert!(table[margin..].contains("`load.onset`"), "{table}");
     let angles =
-        table.lines().filter(|line| line.starts_with("angle of contact ") && line.contains('±'));
+        table.lines().filter(|line| line.starts_with("Angle of contact ") && line.contains('±'));
     assert_eq!(angles.count(), 1, "of the large force only: {table}");
     assert!(table.lines().all(|line| line.chars().count() <= 80), "{table}");
 }
@@ -276,7 +276,7 @@ fn the_table_has_the_mean_pressure_of_a_circle() {
     ball["load"] = json!({"force": 10.0});
     let table = stdout(&brinell(&["solve", "-", "--format", "table"], &ball.to_string()));
     let mean =
-        table.lines().find(|line| line.starts_with("mean pressure")).expect("a mean pressure");
+        table.lines().find(|line| line.starts_with("Mean pressure")).expect("a mean pressure");
     let ratio: f64 =
         mean.split_whitespace().nth(5).and_then(|word| word.parse().ok()).expect("a ratio");
     assert!((ratio - 1.0).abs() < 0.06, "{mean}");
@@ -293,8 +293,8 @@ fn the_table_begins_with_the_answer() {
     let (_, unloaded) = table.split_once("force 0 N/mm").expect("a step without load");
     let names: Vec<&str> =
         unloaded.lines().filter_map(|line| line.get(..28)).map(str::trim).collect();
-    let first = names.iter().position(|name| *name == "dent").expect("a dent");
-    let expected = ["dent", "pile-up", "permanent approach", "residual tension"];
+    let first = names.iter().position(|name| *name == "Dent").expect("a dent");
+    let expected = ["Dent", "Pile-up", "Permanent approach", "Residual tension"];
     assert_eq!(names.get(first..first + 4), Some(&expected[..]), "{table}");
     assert!(unloaded.contains("The load has left a dent of "), "{table}");
     assert!(!unloaded.contains("Hertz"), "{table}");
@@ -312,9 +312,9 @@ fn the_table_begins_with_the_answer() {
     target["load"] = json!({"target": {"peak_pressure": 900.0}});
     let table = stdout(&brinell(&["solve", "-", "--format", "table"], &target.to_string()));
     let second = table.lines().nth(1).expect("two lines");
-    assert!(second.starts_with("force found ") && second.contains(" N/mm "), "{table}");
+    assert!(second.starts_with("Force found ") && second.contains(" N/mm "), "{table}");
     // The force has one error bar.
-    let forces = table.lines().filter(|line| line.starts_with("force") && line.contains('±'));
+    let forces = table.lines().filter(|line| line.starts_with("Force ") && line.contains('±'));
     assert_eq!(forces.count(), 1, "{table}");
 }
 

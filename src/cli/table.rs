@@ -13,7 +13,7 @@ use std::fmt::Write;
 use super::style::Style;
 use brinell_solver::job::{Job, Load, Quantity};
 use brinell_solver::report::{
-    Answer, ErrorBar, LoadReport, Mark, Name, Report, StepReport, Timings,
+    Answer, AnswerBody, ErrorBar, LoadReport, Mark, Name, Report, StepReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -186,13 +186,6 @@ impl Page {
         let value = answer.value.map_or_else(|| "—".to_owned(), shown);
         let plain = format!("{value:>12}");
         let value = self.style.bold(&plain);
-        let mut label = answer.label.clone();
-        // Names of scales keep their capitals.
-        if label.chars().nth(1).is_some_and(char::is_lowercase)
-            && let Some(first) = label.get_mut(..1)
-        {
-            first.make_ascii_lowercase();
-        }
         let limit = |value: f64| format!("{} {unit}", significant(factor * value, 3));
         let bound = match (answer.at_least, answer.at_most) {
             (Some(least), Some(most)) => {
@@ -214,8 +207,13 @@ impl Page {
             }
             (None, Some(_), Some(place)) if error.is_empty() => {
                 let y = place.y.map_or_else(String::new, |y| format!(", y {}", significant(y, 3)));
+                let body = match (answer.body, place.body) {
+                    (None, AnswerBody::Upper) if place.depth > 0.0 => ", upper",
+                    (None, AnswerBody::Lower) if place.depth > 0.0 => ", lower",
+                    _ => "",
+                };
                 format!(
-                    "  at {} {}{y}, depth {}",
+                    "  at {} {}{y}, depth {}{body}",
                     self.names.abscissa(),
                     significant(place.x, 3),
                     significant(place.depth, 3)
@@ -224,10 +222,11 @@ impl Page {
             (None, ..) if error.is_empty() => String::new(),
             (None, ..) => format!("{:>19}{error}", ""),
         };
-        let name = format!("{label:28}{unit:>6}");
-        if answer.value.is_none() && !answer.text.is_empty() {
+        let label = &answer.label;
+        let name = format!("{label}{unit:>width$}", width = 34 - label.chars().count().min(33));
+        if let (None, Some(reason)) = (answer.value, &answer.reason) {
             let label = format!("{name}{plain}  ");
-            return self.line(&wrapped(&label, &words(&answer.text), " "));
+            return self.line(&wrapped(&label, &words(reason), " "));
         }
         let width = format!("{name}{plain}{beside}").trim_end().chars().count();
         if width <= WIDTH {

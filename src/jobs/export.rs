@@ -53,10 +53,6 @@ enum ExportForm {
     Layers(VtrFile, Fields),
 }
 
-fn read_step(text: &[u8]) -> Result<StepReport, StoreError> {
-    serde_json::from_slice(text).map_err(StoreError::damaged)
-}
-
 impl JobService {
     /// Exports the report of a job. `step` is counted from 0; without it, a table has all steps
     /// and any other format the last step.
@@ -87,12 +83,16 @@ impl JobService {
             return Err(ExportError::NoStep(wanted).into());
         }
         let shown = if form.is_table() { 0 } else { wanted };
-        let text = self.store.step(id, shown).await?;
-        let read = move || read_step(&text.text().map_err(StoreError::damaged)?);
-        let mut shown = self.decoders.run(key, read).await?;
+        let mut shown = self.step_report(id, shown, key).await?;
         Ok(exported(if form.is_table() {
             let steps = step.map_or(0..steps, |step| step..step + 1);
-            ExportForm::Table(Table::new(form, &job, &shown)?, steps)
+            let mut table = Table::new(form, &job, &shown)?;
+            if form == Export::SummaryCsv {
+                for number in steps.clone() {
+                    table.see(&self.step_report(id, number, key).await?);
+                }
+            }
+            ExportForm::Table(table, steps)
         } else if form == Export::FieldVtu && shown.contact.section.is_some() {
             let maps = shown.contact.maps.take().ok_or(ExportError::NoFields)?;
             ExportForm::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
@@ -119,6 +119,20 @@ impl JobService {
             ExportForm::Pieces(Box::new(once(written)))
         }))
     }
+
+    async fn step_report(
+        &self,
+        id: JobId,
+        number: usize,
+        key: Option<KeyId>,
+    ) -> Result<StepReport, StoreError> {
+        let text = self.store.step(id, number).await?;
+        let read = move || {
+            let text = text.text().map_err(StoreError::damaged)?;
+            serde_json::from_slice(&text).map_err(StoreError::damaged)
+        };
+        self.decoders.run(key, read).await
+    }
 }
 
 impl Exported {
@@ -142,12 +156,9 @@ impl Exported {
                 let table = Arc::new(table);
                 for number in steps {
                     let table = Arc::clone(&table);
-                    let text = jobs.store.step(id, number).await?;
-                    let rows = move || {
-                        let step = read_step(&text.text().map_err(StoreError::damaged)?)?;
-                        Ok::<_, StoreError>(table.rows(number + 1, &step))
-                    };
-                    out.add(&jobs.decoders.run(key, rows).await?).await;
+                    let step = jobs.step_report(id, number, key).await?;
+                    let rows = move || table.rows(number + 1, &step);
+                    out.add(&jobs.decoders.run(key, rows).await).await;
                 }
             }
             ExportForm::Mesh(file, fields) => out.fields(&jobs, key, file, fields).await?,

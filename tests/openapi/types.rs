@@ -66,18 +66,11 @@ fn reached(document: &Value, mut wanted: Vec<String>) -> BTreeSet<String> {
 }
 
 /// What a figure is whose description ends like this.
-const SAID: [(&str, &str); 7] = [
+const SAID: [(&str, &str); 4] = [
     ("length", "Unit: mm (SI: m)."),
     ("stress", "Unit: MPa (SI: Pa)."),
     ("load", "Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions."),
     ("slope", "Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m)."),
-    ("area", "Unit: mm² (SI: m²)."),
-    ("volume", "Unit: mm³ (SI: m³)."),
-    (
-        "energy",
-        "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three \
-         dimensions.",
-    ),
 ];
 
 /// The keys of every quantity in a report, and of the figures for which a force can be looked for.

@@ -40,11 +40,12 @@ export function verdict({ one, at, label }, named) {
   );
 }
 
-/** Why its error is not bounded, where nothing else is said of it. @param {import('./answers.js').Answer} answer */
-const whyOf = ({ value, reason, at_least: least, at_most: most }) =>
-  value === null || !reason || least !== undefined || most !== undefined
-    ? ''
-    : `no bound: ${inWords(reason)}`;
+/** Why it is not known; of `whole` tables why its error is not bounded, where nothing else is said of it. @param {import('./answers.js').Answer} answer @param {boolean} whole */
+const whyOf = ({ value, reason, at_least: least, at_most: most }, whole) => {
+  if (value === null) return `not known: ${inWords(reason ?? '')}`;
+  const isSaid = !whole || !reason || least !== undefined || most !== undefined;
+  return isSaid ? '' : `no bound: ${inWords(reason)}`;
+};
 
 /**
  * The answers of one step: how well each is known, what elastic theory says, where it is, and those
@@ -75,7 +76,7 @@ export function answersTable(sides, whole) {
             [
               placeWords(answer, one.report, step),
               inWords(answer.text),
-              whole ? whyOf(answer) : '',
+              whyOf(answer, whole),
             ]
               .filter((text) => text && text !== errorWords(answer))
               .join('; '),

@@ -245,7 +245,4 @@ export const FIGURES = {
   stress: ["elastic","initial_sigma_x","initial_sigma_y","initial_sigma_z","kinematic","peak_pressure","perfect","pressure","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","von_mises","yield_stress"],
   load: ["force","stiffness_from","stiffness_to"],
   slope: ["line_load","stiffness"],
-  area: [],
-  volume: [],
-  energy: [],
 };

@@ -117,8 +117,9 @@ fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
         ellipsoid(0.0, Some(500.0), &json!({"history": [{"force": 300}, {"force": 200}]}));
     job["solver"] = json!({"theory": "flow"});
     let steps = solve(&job).steps;
-    let unloading = steps[1][Name::UnloadingStiffness];
-    assert_eq!((stiffness(&steps[0]), stiffness(&steps[1])), (None, Some(unloading)));
+    // One slope of bodies that are elastic again is said once.
+    assert_eq!((stiffness(&steps[0]), steps[1].row(Name::UnloadingStiffness)), (None, None));
+    assert!(stiffness(&steps[1]) > Some(0.0));
 }
 
 /// Of Hertz's contact the work is 2/5 P α, all of it elastic.
@@ -222,10 +223,13 @@ fn layers_are_a_grid_of_both_bodies() {
 fn assert_sound(job: &Value, report: &Report) {
     let text = serde_json::to_string(report).unwrap();
     assert!(!text.contains("NaN"), "{job}");
-    for step in &report.steps {
+    for step in report.steps.iter().filter(|step| step.status == SolveStatus::Converged) {
         let [a, b] = [step[Name::SemiAxisA], step[Name::SemiAxisB]];
-        assert!(b >= 0.9 * a && step[Name::LargestCellPressure] >= 0.0, "{job}: {a} {b}");
-        if step[Name::Force] > 0.0 && step.status == SolveStatus::Converged {
+        assert!(
+            b >= 0.9 * a && step.value(Name::LargestCellPressure) != Some(0.0),
+            "{job}: {a} {b}"
+        );
+        if step[Name::Force] > 0.0 {
             let hertz = |name: Name| step.elastic(name).unwrap();
             assert!(step[Name::PeakPressure] < 1.08 * hertz(Name::PeakPressure), "{job}");
             assert!(a > 0.8 * hertz(Name::SemiAxisA), "{job}");

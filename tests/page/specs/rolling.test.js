@@ -26,7 +26,7 @@ service.test('a force that rolls is set up, solved and drawn', async (page) => {
   assert.equal(await page.locator('#panel-field').isHidden(), true);
   assert.equal(await page.locator('#panel-depth').isVisible(), true);
   const cards = await page.locator('#headline dl.figures').first().innerText();
-  assert.match(cards, /Strain of a steady pass/);
+  assert.match(cards, /Strain per pass/);
   assert.match(cards, /Depth of the track/);
   assert.doesNotMatch(await page.locator('#headline').innerText(), /NaN|undefined|null/);
 });

@@ -7,7 +7,7 @@ import brinell
 
 
 def job(force: float) -> brinell.JobLike:
-    ball = brinell.cylinder(radius=5, material="52100")
+    ball = brinell.sphere(radius=5, material="52100")
     block = brinell.block(width=20, depth=10, material="S355")
     return brinell.job(ball, block, analysis="axisymmetric", force=force)
 

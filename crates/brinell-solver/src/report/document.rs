@@ -12,6 +12,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::answers::{AnswerBody, Name};
+use super::known::is_shared;
 use super::{
     Answer, ContactReport, FatigueReport, FieldsReport, IncrementsReport, LayersReport,
     LoadApproach, PassesReport, RuleVerdict, ShakedownMap, Side, SurfaceReport, ValidityNote,
@@ -223,10 +224,7 @@ impl<T: Clone> PerBody<Option<T>> {
             body.as_ref().map(|body| say(body, side)).transpose()
         };
         let of_upper = of(upper, 0)?;
-        let of_lower = match (upper, lower) {
-            (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
-            _ => of(lower, 1)?,
-        };
+        let of_lower = if is_shared(bodies) { of_upper.clone() } else { of(lower, 1)? };
         Ok(Self { upper: of_upper, lower: of_lower })
     }
 }

@@ -102,7 +102,7 @@ fn surface_figures(body: &Arc<BodySolution>, symmetric: bool) -> SurfaceFigures 
     SurfaceFigures {
         depth: body.dent_depth(),
         pile_up: highest,
-        pile_up_from: place.abs(),
+        pile_up_at: [if symmetric { place.abs() } else { place }, 0.0],
         reverse: (strain > 0.0).then_some([strain, copies * area]),
     }
 }

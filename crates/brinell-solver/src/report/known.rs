@@ -1,6 +1,8 @@
 //! Figures of a load step of which its rows and its verdict are made, in N–mm–MPa. The engine of
 //! the step fills them; the document has rows alone.
 
+use std::sync::Arc;
+
 use super::fatigue::BodyFatigue;
 use super::rolling::Rolled;
 use crate::contact::ContactLoad;
@@ -41,8 +43,15 @@ pub(super) struct Known {
     pub rolled: Option<Rolled>,
     /// Of bodies with limits; that of a static load is filled in with its arrays.
     pub fatigue: Vec<BodyFatigue>,
+    /// Whether both bodies have the same figures.
+    pub is_alike: bool,
     /// Whether the strength of a body varies over its depth.
     pub is_graded: bool,
+}
+
+/// Returns whether both bodies are one solution.
+pub(super) fn is_shared<B>(bodies: &[Option<Arc<B>>; 2]) -> bool {
+    matches!(bodies, [Some(upper), Some(lower)] if Arc::ptr_eq(upper, lower))
 }
 
 /// Hertz's contact under the same force.
@@ -66,7 +75,8 @@ pub(super) struct Hertz {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Onset {
     pub force: f64,
-    pub peak_pressure: f64,
+    /// Peak pressure in closed form, of an edge that elements leave out.
+    pub closed_peak: Option<f64>,
     /// 0 for the upper body, 1 for the lower body.
     pub side: usize,
     pub position: f64,
@@ -103,9 +113,9 @@ pub(super) struct FlowFigures {
 pub(super) struct SurfaceFigures {
     /// Depth of the deepest point below the undeformed surface.
     pub depth: f64,
-    /// Height of the highest point above it, and its distance from the middle.
+    /// Height of the highest point above it, and its `[x, y]`; of two alike that at positive x.
     pub pile_up: f64,
-    pub pile_up_from: f64,
+    pub pile_up_at: [f64; 2],
     /// Largest plastic strain since the load last began to fall, and the area of the section that
     /// has any; `None` without.
     pub reverse: Option<[f64; 2]>,

@@ -1,7 +1,5 @@
 //! Jobs between meshed bodies, in a plane or of revolution.
 
-use std::sync::Arc;
-
 use brinell_halfspace::Stop;
 
 use super::answers::Measured;
@@ -12,7 +10,7 @@ use super::cost::{
 use super::datum::Datum;
 use super::findings::Finding;
 use super::hertz::{line, over_friction};
-use super::known::{Known, Zone};
+use super::known::{self, Known, Zone};
 use super::measured::measured;
 use super::shown::{Arrays, Parts, Shown, Solved};
 use super::{
@@ -131,9 +129,7 @@ impl Shown for Meshed<'_> {
             Ok(PlasticityReport { outline: zone.outline.iter().map(written).collect() })
         })?;
         // Bodies that share one solution share its zone.
-        if let [Some(upper), Some(lower)] = bodies
-            && Arc::ptr_eq(upper, lower)
-        {
+        if known::is_shared(bodies) {
             covers[1] = covers[0];
         }
         arrays.covers = covers;
@@ -206,6 +202,7 @@ impl Shown for Meshed<'_> {
                 whole: None,
                 rolled: None,
                 fatigue: Vec::new(),
+                is_alike: job.upper.is_alike(&job.lower),
                 is_graded: step
                     .field
                     .bodies

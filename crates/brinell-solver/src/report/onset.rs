@@ -72,9 +72,7 @@ pub(super) fn onset(
         ContactLoad::Approach(_) => step.figures.force,
     };
     let at_edge = at_narrow_edge(step, problem).filter(|edge| edge.ratio >= first.ratio);
-    let peak_pressure = match step.field.rounded_edge.filter(|_| at_edge.is_some()) {
-        Some(edge) => edge.elastic.peak_pressure(),
-        None => step.figures.peak_pressure,
-    };
-    Some(Onset { force, peak_pressure, side: first.body, position: x, depth })
+    let closed_edge = step.field.rounded_edge.filter(|_| at_edge.is_some());
+    let closed_peak = closed_edge.map(|edge| edge.elastic.peak_pressure());
+    Some(Onset { force, closed_peak, side: first.body, position: x, depth })
 }

@@ -101,19 +101,6 @@ impl VerdictLevel {
     }
 }
 
-/// Rows that decide, the first of which a step has.
-const DECIDING: [Name; 9] = [
-    Name::StrainPerPass,
-    Name::MaxPlasticStrain,
-    Name::MeanPlasticStrain,
-    Name::PassStrain,
-    Name::FirstYieldForce,
-    Name::CoreUtilization,
-    Name::Utilization,
-    Name::ContactRatio,
-    Name::PeakPressure,
-];
-
 impl Facts<'_> {
     /// Returns the verdict on a step with these rows.
     pub(super) fn verdict(&self, rows: &[Answer]) -> Verdict {
@@ -125,15 +112,34 @@ impl Facts<'_> {
             Some((false, endures)) => (level.mark().beside_fatigue(), format!("{text} {endures}")),
             None => (level.mark(), text),
         };
-        let shown = || rows.iter().filter(|row| !row.detail && row.value.is_some());
-        let placed = |name: &Name| shown().find(|row| row.is(*name) && row.place.is_some());
-        let figure = DECIDING.iter().find_map(placed).or_else(|| shown().next());
+        let is_shown = |row: &Answer| !row.detail || row.is(Name::FirstYieldForce);
+        let of = |name: &Name| {
+            let known = |row: &&Answer| row.is(*name) && row.value.is_some() && is_shown(row);
+            rows.iter().find(known)
+        };
+        let figure = self.deciding(level).iter().find_map(of);
         Verdict {
             level,
             mark,
             text,
             figure: figure.map(|row| row.name.clone()),
             body: figure.and_then(|row| row.body),
+        }
+    }
+
+    /// Returns the rows that decide on a level, the first of which a step has.
+    fn deciding(&self, level: VerdictLevel) -> &'static [Name] {
+        match level {
+            VerdictLevel::NotConverged | VerdictLevel::NoContact => &[],
+            VerdictLevel::Elastic if self.job.load == Load::Onset => &[Name::Force],
+            VerdictLevel::Elastic => {
+                &[Name::FirstYieldForce, Name::Utilization, Name::PeakPressure]
+            }
+            VerdictLevel::NotKnown => {
+                &[Name::PassStrain, Name::FirstYieldForce, Name::PeakPressure]
+            }
+            _ if self.known.rolled.is_some() => &[Name::StrainPerPass],
+            _ => &[Name::MaxPlasticStrain, Name::MeanPlasticStrain],
         }
     }
 
@@ -209,11 +215,14 @@ impl Facts<'_> {
 
     fn elastic(&self, rows: &[Answer]) -> String {
         let row = |name: Name| rows.iter().find(|row| row.is(name) && row.value.is_some());
+        if self.job.load == Load::Onset
+            && let Some(first) = row(Name::Force)
+        {
+            let force = said(first);
+            return format!("First yield: a body begins to yield under this force, {force}.");
+        }
         if let Some(first) = row(Name::FirstYieldForce) {
             let force = said(first);
-            if self.job.load == Load::Onset {
-                return format!("First yield: a body begins to yield under this force, {force}.");
-            }
             let force_now = self.write.force(self.known.figures.force);
             let part = first.value.map_or(0.0, |first| force_now / first);
             let part = to_digits(100.0 * part, first.error.digits(part).min(3));
@@ -332,16 +341,18 @@ impl Facts<'_> {
     }
 }
 
-/// Returns the value of a row with its unit, in the digits that its bar carries.
-fn said(row: &Answer) -> String {
+/// Returns the value of a row with its unit, in the digits that its bar or its bounds carry.
+pub(super) fn said(row: &Answer) -> String {
     let value = row.value.unwrap_or_default();
+    let spread = row.at_least.zip(row.at_most).map(|(least, most)| 0.5 * (most - least));
+    let bar = spread.map_or(row.error, |spread| ErrorBar::Relative(spread / value.abs()));
     let (factor, unit) = match row.quantity {
         Quantity::Strain | Quantity::Ratio => (100.0, "%"),
         _ => (1.0, row.unit.as_str()),
     };
     let (value, digits, at_most) = match row.at_most.filter(|_| row.at_least.is_none()) {
         Some(most) => (most, UNBOUNDED_DIGITS, "at most "),
-        None => (value, row.error.digits(value), ""),
+        None => (value, bar.digits(value), ""),
     };
     let value = to_digits(factor * value, digits);
     format!("{at_most}{value} {unit}").trim_end().to_owned()

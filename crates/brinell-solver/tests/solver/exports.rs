@@ -286,6 +286,31 @@ fn tables_hold_every_step() {
     assert_ne!(last, Export::PressureSvg.write(&job, &report, Some(0)).unwrap());
 }
 
+/// A later step has rows that the first has not, and none is lost.
+#[test]
+fn a_summary_has_the_columns_of_all_steps() {
+    let mut job = paper();
+    job["load"] = json!({"forces": [100.0, 400.0]});
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    job["output"] = json!({});
+    let (job, report) = solve(&job);
+    let text = Export::SummaryCsv.write(&job, &report, None).unwrap();
+    let rows: Vec<Vec<&str>> = text.lines().map(|row| row.split(',').collect()).collect();
+    let heads = &rows[0];
+    for (step, cells) in report.steps.iter().zip(&rows[1..]) {
+        let filled = cells.iter().skip(2).filter(|cell| !cell.is_empty()).count();
+        assert_eq!(
+            filled,
+            step.answers.iter().filter(|row| row.value.is_some()).count(),
+            "{text}"
+        );
+    }
+    let depth = heads.iter().position(|head| *head == "plastic_depth [mm]").unwrap();
+    assert_eq!((rows[1][depth], rows[2][depth].is_empty()), ("", false), "{text}");
+    let place = |name: &str| heads.iter().position(|head| head.starts_with(name));
+    assert!(place("peak_pressure") < place("utilization"), "in the order of the names: {text}");
+}
+
 /// Line by line what the report has: every increment, every node of the surfaces.
 #[test]
 fn a_history_is_written_as_tables_and_figures() {

@@ -206,7 +206,7 @@ fn onset_of_yield_in_a_stressed_block() {
         job["load"] = json!({"onset": true});
         job["mesh"] = json!({"elements_per_half_width": 30});
         let found = report(&job);
-        let peak = step(&found)[Name::FirstYieldPeakPressure];
+        let peak = step(&found)[Name::PeakPressure];
         let highest = |peak: f64| {
             let hertz = HertzLine::from_peak_pressure(peak, 10.0, 0.5 * 210_000.0 / 0.91);
             let step = hertz.half_width() / 60.0;

@@ -157,7 +157,7 @@ fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
         // And the closed form of the report is that as well.
         let limit = DepthLimit::line_onset(0.3, 10.0 / modulus, |z| 35.0 * profile.factor(z));
         assert_within(hertz.peak_pressure(), limit.peak_pressure, 5e-3);
-        let onset = step.row(Name::FirstYieldForce).unwrap();
+        let onset = step.row(Name::Force).unwrap();
         let depth = onset.place.unwrap().depth;
         assert!((depth - limit.depth).abs() < 0.15 * hertz.half_width(), "{onset:?} {limit:?}");
     }

@@ -86,7 +86,7 @@ fn yield_begins_at_the_surface_where_it_is_highest_there() {
         ("plane_strain", 0.3, &soft, 150.0 / 0.4, effective(0.3)),
     ] {
         let step = onset_on_block(analysis, nu, over_depth);
-        let onset = step.row(Name::FirstYieldForce).unwrap();
+        let onset = step.row(Name::Force).unwrap();
         let (found, place) = (onset.value.unwrap(), onset.place.unwrap());
         let force = HertzLine::from_peak_pressure(peak, 100.0, modulus).force();
         assert_within(found, force, 5e-3);
@@ -100,7 +100,7 @@ fn yield_begins_at_the_surface_where_it_is_highest_there() {
 #[test]
 fn yield_begins_at_the_edge_of_a_contact_circle_where_the_skin_is_soft() {
     let step = onset_on_block("axisymmetric", 0.0, &json!([[0, 0.3], [0.4, 1.0]]));
-    let onset = step.row(Name::FirstYieldForce).unwrap();
+    let onset = step.row(Name::Force).unwrap();
     let force = HertzPoint::from_peak_pressure(150.0 * 3f64.sqrt(), 100.0, effective(0.0)).force();
     let error = (onset.value.unwrap() / force - 1.0).abs();
     assert!(error < 0.025 && error <= step.bar(Name::Force).unwrap(), "{error}");
@@ -226,7 +226,7 @@ fn yield_of_a_stressed_block_begins_where_both_stresses_together_are_highest() {
     let given = rows([[0.0, 0.0, 0.0], [0.4, -350.0, 0.0], [1.0, 100.0, 0.0], [5.0, 0.0, 0.0]]);
     let step = onset_on_stressed_block("plane_stress", 0.1, &uniform, &given);
     assert_within(step[Name::Force], force, 5e-3);
-    assert!((step.row(Name::FirstYieldForce).unwrap().place.unwrap().depth - 0.4).abs() < 1e-6);
+    assert!((step.row(Name::Force).unwrap().place.unwrap().depth - 0.4).abs() < 1e-6);
 
     // In the middle of the surface, where the block has no stress: `σ_x = σ_y = -p0`, `σ_z = -2ν
     // p0`.
@@ -235,7 +235,7 @@ fn yield_of_a_stressed_block_begins_where_both_stresses_together_are_highest() {
     let step = onset_on_stressed_block("plane_strain", 0.1, &uniform, &given);
     let force = HertzLine::from_peak_pressure(500.0 / 0.8, 100.0, effective(0.1)).force();
     assert_within(step[Name::Force], force, 5e-3);
-    assert_eq!(step.row(Name::FirstYieldForce).unwrap().place.unwrap().depth, 0.0);
+    assert_eq!(step.row(Name::Force).unwrap().place.unwrap().depth, 0.0);
 
     // `σ_r = q + (1 - 2ν) p0/3`, `σ_t = q - (1 - 2ν) p0/3`.
     let given = rows([0.0, 1.0, 2.0, 400.0].map(|depth| [depth, -250.0, -250.0]));
@@ -245,8 +245,7 @@ fn yield_of_a_stressed_block_begins_where_both_stresses_together_are_highest() {
     let error = (step[Name::Force] / force - 1.0).abs();
     assert!(error < 0.03 && error <= step.bar(Name::Force).unwrap(), "{error}");
     assert!(
-        (step.row(Name::FirstYieldForce).unwrap().place.unwrap().x / step[Name::HalfWidth] - 1.0)
-            .abs()
+        (step.row(Name::Force).unwrap().place.unwrap().x / step[Name::HalfWidth] - 1.0).abs()
             < 1e-6
     );
 }

@@ -48,7 +48,7 @@ class Fatigue:
     @property
     def reason(self) -> str | None:
         """Why the fatigue of a body is not known."""
-        return next((row.text for row in self.rows if math.isnan(row.value)), None)
+        return next((row.reason for row in self.rows if math.isnan(row.value)), None)
 
     @property
     def over_depth(self) -> pd.DataFrame:

@@ -35,10 +35,7 @@ def _line(row: Row) -> tuple[str, str, str, str, str]:
 
 def _lines(result: ResultData) -> list[tuple[str, str, str, str, str]]:
     """The figures that answer the job."""
-    rows = [row for row in result.answers if not row.detail]
-    # A force that is sought stands under its own name alone.
-    is_sought = any(row.name in ("force_found", "first_yield_force") for row in rows)
-    return [_line(row) for row in rows if row.name != "force" or not is_sought]
+    return [_line(row) for row in result.answers if not row.detail]
 
 
 def _head(result: ResultData) -> str:

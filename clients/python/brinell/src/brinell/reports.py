@@ -1098,7 +1098,7 @@ class Answer(BaseModel):
     value: Annotated[
         float | None,
         Field(
-            description='The figure in `unit`; `null` where it is not known, and `text` says why.'
+            description='The figure in `unit`; `null` where it is not known, and `reason` says why.'
         ),
     ]
 

@@ -1,15 +1,14 @@
 //! Rows of each body: plastic strain and its zone, surfaces, stresses along a normal.
 
-use super::{Answer, AnswerBody, AnswerPlace, Facts, Name};
-use crate::job::{Quantity, Side};
+use super::{Answer, AnswerBody, Facts, Name};
+use crate::job::Side;
 use crate::report::known::{FlowFigures, SurfaceFigures, Zone};
 use crate::solver::method::figures::Figure;
-use crate::units::about;
 
 impl Facts<'_> {
     /// Returns the sides of which there are rows: of bodies that are alike one.
-    fn sides(&self) -> &'static [Side] {
-        if self.is_alike() { &[Side::Lower] } else { &Side::BOTH }
+    pub fn sides(&self) -> &'static [Side] {
+        if self.known.is_alike { &[Side::Lower] } else { &Side::BOTH }
     }
 
     /// Returns the row of a figure of a body with its bar.
@@ -18,16 +17,16 @@ impl Facts<'_> {
         self.meshed(name, core, (figure, side.member())).of(self.body(side))
     }
 
-    /// Returns the largest plastic strain of each body, where that has no limit the mean one, the
-    /// larger of both before the details.
+    /// Returns the largest plastic strain of each body that can yield, where that has no limit the
+    /// mean one, the larger of both before the details.
     pub(super) fn strains(&self) -> Vec<Answer> {
         let most = self.most_strained();
         let is_limited = self.zones().all(|(_, zone)| zone.largest.is_some());
         let zones = self.zones().filter(|(side, _)| self.sides().contains(side));
+        let zones = zones.filter(|(side, _)| self.yield_point(*side).is_some());
         let rows = zones.flat_map(|(side, zone)| {
             let mean = Figure::MeanPlasticStrain;
             let mean = self.of_body(Name::MeanPlasticStrain, zone.mean, (mean, side));
-            let mean = mean.text("over the area that has yielded");
             let largest = self.largest_strain(side, zone);
             let is_most = most == Some(self.body(side));
             match (is_most, is_limited) {
@@ -42,12 +41,12 @@ impl Facts<'_> {
     fn largest_strain(&self, side: Side, zone: &Zone) -> Answer {
         let figure = (Figure::MaxPlasticStrain, side);
         let row = self.of_body(Name::MaxPlasticStrain, zone.largest, figure);
-        let Some(largest) = zone.largest else {
+        if zone.largest.is_none() {
             return row.not_known("it has no limit on finer meshes");
-        };
+        }
         let place = self.place(self.body(side), zone.place);
         row.elastic(Some(0.0).filter(|_| self.touches()))
-            .place(Some(place).filter(|_| largest > 0.0))
+            .place(Some(place))
             .text(format!("of all {}", self.measured.points))
     }
 
@@ -60,27 +59,19 @@ impl Facts<'_> {
         self.sides().iter().filter_map(depth).collect()
     }
 
-    /// Returns depth and pile-up of each surface.
+    /// Returns depth and pile-up of each surface; without force of bodies that can be dented.
     pub(super) fn surfaces(&self, name: Name) -> Vec<Answer> {
         let Some(FlowFigures { surfaces, .. }) = &self.known.flow else { return Vec::new() };
         let of = |side: &Side| Some((*side, surfaces[side.member()]?));
-        let both: Vec<_> = self.sides().iter().filter_map(of).collect();
+        let is_shown = |side: &&Side| self.touches() || self.yield_point(**side).is_some();
+        let both: Vec<_> = self.sides().iter().filter(is_shown).filter_map(of).collect();
         let depth = |(side, surface): &(Side, SurfaceFigures)| {
-            let reversed = if surface.reverse.is_some() { "; yielded in reverse" } else { "" };
             self.of_body(name, surface.depth, (Figure::Dent, *side))
-                .text(format!("deepest point below the undeformed surface{reversed}"))
         };
         let pile_up = |(side, surface): &(Side, SurfaceFigures)| {
-            let row = self.of_body(Name::PileUp, surface.pile_up, (Figure::PileUp, *side));
-            if surface.pile_up <= 0.0 {
-                return row;
-            }
-            let from = self.write.length(surface.pile_up_from);
-            let place = self.place(self.body(*side), [surface.pile_up_from, 0.0, 0.0]);
-            row.place(Some(AnswerPlace { y: None, ..place })).text(format!(
-                "highest point above the undeformed surface, {} from the middle",
-                self.with_unit(about, Quantity::Length, from)
-            ))
+            let [x, y] = surface.pile_up_at;
+            self.of_body(Name::PileUp, surface.pile_up, (Figure::PileUp, *side))
+                .place(Some(self.place(self.body(*side), [x, y, 0.0])))
         };
         let reverse = |(side, surface): &(Side, SurfaceFigures)| {
             let [strain, area] = surface.reverse?;
@@ -110,7 +101,8 @@ impl Facts<'_> {
                 (Name::LargestVonMises, figures.largest_von_mises, Figure::LargestVonMises),
             ];
             rows.extend(stresses.into_iter().filter_map(|(name, stress, figure)| {
-                Some(self.of_body(name, stress?, (figure, side)))
+                let stress = stress.filter(|stress| self.touches() || *stress != 0.0)?;
+                Some(self.of_body(name, stress, (figure, side)))
             }));
         }
         rows.into_iter().map(Answer::detail).collect()

@@ -57,18 +57,18 @@ impl Facts<'_> {
             "the middle of the roller does not touch".to_owned()
         };
         let end = roller.ends[usize::from(high >= low)];
-        let place = (edge > 0.0).then(|| self.on_surface([0.0, end]));
+        let place = Some(self.on_surface([0.0, end]));
         let mut rows = vec![self.row(Name::EdgePressure, edge).place(place).text(text)];
         let [_, longer] = whole.semi_axes;
         let part = roller.moment.abs() / (self.known.figures.force * longer);
         let is_even = part.is_nan() || part <= 1e-6;
         let moment = if part > ROUNDING { roller.moment } else { 0.0 };
-        let moment = self
-            .row(Name::Moment, moment)
-            .text("of the pressure about the middle, positive towards y");
-        let tilt = self
-            .row(Name::Tilt, roller.tilt)
-            .text("positive where the surfaces are closer at positive y");
+        // Without one of them a symmetric roller has none of the other.
+        let row = |name: Name, core: f64| {
+            let row = self.told(name, core);
+            if core == 0.0 { row.bar(Bar::Exact) } else { row }
+        };
+        let (moment, tilt) = (row(Name::Moment, moment), row(Name::Tilt, roller.tilt));
         let (moment, tilt) = if self.is_moment_given() {
             (moment.bar(Bar::Given), tilt)
         } else {
@@ -103,8 +103,7 @@ impl Facts<'_> {
         let force = given.unwrap_or(self.known.figures.force);
         let row = self.meshed(Name::Force, force, (Figure::Force, 0));
         match self.job.load {
-            // The job has it as `force_found`, with the bar of the search.
-            Load::Target(_) => row.detail(),
+            Load::Target(_) => row.bar(Bar::none("`force_found` has its error")).detail(),
             _ if given.is_some() => row.bar(Bar::Given),
             _ => row,
         }
@@ -117,7 +116,9 @@ impl Facts<'_> {
         if !self.is_unloaded() && self.known.rolled.is_none() {
             rows.push(self.approach());
         }
-        rows.extend([self.force(), self.mean_pressure()]);
+        // That of first yield stands before the others.
+        rows.extend(self.known.onset.is_none().then(|| self.force()));
+        rows.push(self.mean_pressure());
         rows
     }
 
@@ -144,10 +145,9 @@ impl Facts<'_> {
             None => {
                 let elastic = self.hertz().map(|hertz| self.write.stress(hertz.peak_pressure));
                 let least = self.least_peak().map(|least| self.write.stress(least));
-                meshed(known.figures.peak_pressure)
-                    .elastic(elastic)
-                    .place(Some(self.on_surface(known.peak_place)))
-                    .at_least(least, self.of_dent())
+                let row = meshed(known.figures.peak_pressure).elastic(elastic);
+                let row = row.place(Some(self.on_surface(known.peak_place)));
+                Answer { at_least: least, ..row.text(self.of_dent()) }
             }
         }
     }
@@ -207,10 +207,12 @@ impl Facts<'_> {
             .of_width(self.touches())
     }
 
-    /// Returns the pressure in the middle, before the details where it has a bar and the peak has
-    /// none.
+    /// Returns the pressure in the middle where that is not the peak or the peak has no bar; before
+    /// the details where it alone has a bar.
     fn middle_pressure(&self) -> Option<Answer> {
-        let pressure = self.known.figures.middle_pressure?;
+        let peak =
+            self.bar_of(Figure::PeakPressure, 0).and(Some(self.known.figures.peak_pressure));
+        let pressure = self.known.figures.middle_pressure.filter(|found| Some(*found) != peak)?;
         let row = self.meshed(Name::MiddlePressure, pressure, (Figure::MiddlePressure, 0));
         let is_ahead = self.bar_of(Figure::MiddlePressure, 0).is_some()
             && self.bar_of(Figure::PeakPressure, 0).is_none()
@@ -249,12 +251,11 @@ impl Facts<'_> {
     /// Returns area, orientation and the largest cell of a contact in three dimensions.
     pub(super) fn of_place(&self) -> Vec<Answer> {
         let Some(whole) = self.whole() else { return Vec::new() };
-        let rows = [
-            self.meshed(Name::ContactArea, whole.area, (Figure::ContactArea, 0)),
-            self.row(Name::LargestCellPressure, whole.largest_cell_pressure),
-            self.row(Name::Orientation, whole.orientation)
-                .text("from the x of the job to this x, towards the y of the job"),
-        ];
-        rows.map(Answer::detail).to_vec()
+        let area = self.meshed(Name::ContactArea, whole.area, (Figure::ContactArea, 0));
+        let largest = self.row(Name::LargestCellPressure, whole.largest_cell_pressure);
+        let largest = Some(largest).filter(|row| row.value != self.peak().value);
+        let orientation = self.told(Name::Orientation, whole.orientation);
+        let rows = [Some(area), largest, Some(orientation)];
+        rows.into_iter().flatten().map(Answer::detail).collect()
     }
 }

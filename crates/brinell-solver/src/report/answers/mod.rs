@@ -20,7 +20,7 @@ use crate::contact::ContactLoad;
 use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory};
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::Figure;
-use crate::units::{UnitConverter, about};
+use crate::units::UnitConverter;
 
 /// Relative difference of forces that are alike.
 const ROUNDING: f64 = 1e-9;
@@ -82,7 +82,7 @@ pub(super) struct Facts<'a> {
 impl Facts<'_> {
     /// Returns the rows, those with details last.
     pub fn rows(&self) -> Vec<Answer> {
-        let rows = self.answers().into_iter().map(|row| self.bounded(row));
+        let rows = self.answers().into_iter().map(|row| self.settled(row));
         let (details, mut rows): (Vec<_>, Vec<_>) = rows.partition(|row| row.detail);
         rows.extend(details);
         rows
@@ -104,10 +104,6 @@ impl Facts<'_> {
     /// Returns whether every second pass goes back.
     pub fn is_alternating(&self) -> bool {
         matches!(self.job.load, Load::Rolling(rolling) if rolling.alternating)
-    }
-
-    pub fn is_alike(&self) -> bool {
-        self.job.upper.is_alike(&self.job.lower)
     }
 
     pub fn touches(&self) -> bool {
@@ -173,12 +169,14 @@ impl Facts<'_> {
     }
 
     pub fn body(&self, side: Side) -> AnswerBody {
-        if self.is_alike() { AnswerBody::Both } else { side.into() }
+        if self.known.is_alike { AnswerBody::Both } else { side.into() }
     }
 
     /// Returns a place `[x, y, depth]` in the units of the job; y only in three dimensions.
     pub fn place(&self, body: AnswerBody, place: [f64; 3]) -> AnswerPlace {
         let [x, y, depth] = place.map(|length| self.write.length(length));
+        // Points of straight elements stand above a concave surface.
+        let depth = depth.max(0.0);
         AnswerPlace { body, x, y: self.is_three_dimensional().then_some(y), depth }
     }
 
@@ -192,9 +190,14 @@ impl Facts<'_> {
         let value = core.into().map(|core| self.write.of(quantity, core));
         let row = Answer::new(name, quantity, self.unit(quantity), value);
         match name.bar() {
-            BarKind::Mesh => row.bar(Bar::none(self.why(&[]))),
+            BarKind::Mesh | BarKind::MeshOrExact => row.bar(Bar::none(self.why(&[]))),
             BarKind::Exact | BarKind::None => row,
         }
+    }
+
+    /// Returns the row of a figure with what it is.
+    pub fn told(&self, name: Name, core: impl Into<Option<f64>>) -> Answer {
+        self.row(name, core).text(name.meaning())
     }
 
     /// Returns the row of a figure with the bar of two meshes, of a body that of one side.
@@ -250,30 +253,35 @@ impl Facts<'_> {
     }
 
     /// Returns a value of the report with its unit, to `digits` of
-    /// [`rounded`](crate::units::rounded) or [`about`].
+    /// [`rounded`](crate::units::rounded) or [`about`](crate::units::about).
     pub fn with_unit(&self, digits: fn(f64) -> String, quantity: Quantity, value: f64) -> String {
         format!("{} {}", digits(value), self.unit(quantity))
     }
 
-    /// Returns a row with the bound of its size in place of an error as large as itself, and
-    /// without a relative error of zero.
-    fn bounded(&self, row: Answer) -> Answer {
-        let (Some(value), ErrorBar::Relative(error)) = (row.value, row.error) else { return row };
-        if value == 0.0 {
-            return row.bar(Bar::none("a figure of zero has no relative error"));
+    /// Returns a row as it is answered: without a value where the step has no answer, without a
+    /// relative error of zero, and with the bound of its size in place of an error as large as
+    /// itself. Bodies that do not touch have exactly no contact.
+    fn settled(&self, row: Answer) -> Answer {
+        let is_known = matches!(row.error, ErrorBar::Word(ErrorWord::Given | ErrorWord::Exact));
+        if self.known.status != SolveStatus::Converged && !is_known {
+            return row.not_known("the load has not converged");
         }
-        if error < 1.0 {
-            return row;
+        match (row.value, row.error) {
+            (Some(0.0), _) => {
+                let is_exact = row.body.is_none() && !self.touches();
+                let row = row.place(None);
+                match (is_known, is_exact) {
+                    (true, _) => row,
+                    (false, true) => row.bar(Bar::Exact),
+                    (false, false) => row.bar(Bar::none("a figure of zero has no relative error")),
+                }
+            }
+            (Some(value), ErrorBar::Relative(error)) if error >= 1.0 => {
+                let at_most = Some(value.abs() * (1.0 + error));
+                Answer { at_most, ..row.bar(Bar::none("the error is as large as the figure")) }
+            }
+            _ => row,
         }
-        let size = value.abs() * (1.0 + error);
-        let most = match row.quantity {
-            Quantity::Strain | Quantity::Ratio => format!("{} %", about(100.0 * size)),
-            quantity => self.with_unit(about, quantity, size),
-        };
-        let note = if row.text.is_empty() { String::new() } else { format!("; {}", row.text) };
-        let sign = if value < 0.0 { " either way" } else { "" };
-        Answer { at_most: Some(size), ..row.bar(Bar::none("the error is as large as the figure")) }
-            .text(format!("at most {most}{sign}{note}"))
     }
 
     /// Returns the error estimate of a step that has converged.
@@ -290,7 +298,8 @@ impl Facts<'_> {
         if let Some(rolled) = &self.known.rolled {
             return self.of_track(rolled);
         }
-        let mut rows = self.asked();
+        let mut rows: Vec<Answer> = self.first_yield_force().into_iter().collect();
+        rows.extend(self.first_yield_peak());
         let is_graded = self.known.is_graded;
         if self.is_unloaded() {
             rows.extend(self.surfaces(Name::DentDepth));
@@ -325,30 +334,30 @@ impl Facts<'_> {
         rows
     }
 
-    /// Returns the onset of yield: sought, or in closed form.
-    fn asked(&self) -> Vec<Answer> {
+    /// Returns the force of first yield: the one that was sought, or the closed form.
+    fn first_yield_force(&self) -> Option<Answer> {
         let closed = self.known.hertz.and_then(|hertz| hertz.first_yield);
-        let name = Name::FirstYieldForce;
         if let Some(onset) = &self.known.onset {
             let body = self.body(Side::of(onset.side));
             let place = self.place(body, [onset.position, 0.0, onset.depth]);
-            let first = self.meshed(name, onset.force, (Figure::Force, 0));
+            let first = self.meshed(Name::Force, onset.force, (Figure::Force, 0));
             let elastic = closed.map(|[force, _]| self.write.force(force));
-            let first = first.elastic(elastic).place(Some(place));
-            let first = first.text("the force under which a body begins to yield, on this mesh");
-            let peak = (Figure::PeakPressure, 0);
-            let peak = self.meshed(Name::FirstYieldPeakPressure, onset.peak_pressure, peak);
-            return vec![first, peak.detail()];
+            let label = Name::FirstYieldForce.label();
+            return Some(first.labelled(label).elastic(elastic).place(Some(place)));
         }
         // A closed form that is not of these bodies is no figure of theirs.
-        let Some((force, [_, depth])) = self.first_yield().filter(|_| self.touches()).zip(closed)
-        else {
-            return Vec::new();
-        };
+        let is_of_bodies = self.touches() && self.job.load != Load::Onset;
+        let (force, [_, depth]) = self.first_yield().filter(|_| is_of_bodies).zip(closed)?;
         let used = self.measured.utilization.as_ref();
         let body = used.map_or(AnswerBody::Both, |used| self.body(Side::of(used.side)));
-        let row = self.row(name, force).place(Some(self.place(body, [0.0, 0.0, depth])));
-        vec![row.text("closed form of half-spaces").detail()]
+        let row = self.row(Name::FirstYieldForce, force);
+        Some(row.place(Some(self.place(body, [0.0, 0.0, depth]))).detail())
+    }
+
+    /// Returns the peak of the closed form by which an onset of yield was sought.
+    fn first_yield_peak(&self) -> Option<Answer> {
+        let peak = self.known.onset.as_ref()?.closed_peak?;
+        Some(self.row(Name::FirstYieldPeakPressure, peak).detail())
     }
 
     /// Returns the approach; without force, and unless it is given, the permanent one.
@@ -373,24 +382,23 @@ impl Facts<'_> {
         let largest = self.measured.tension.as_ref().filter(|most| most.value > 0.0)?;
         let place = self.place_of(largest);
         let row = self.row(Name::ResidualTension, largest.value);
-        let text = format!("largest principal stress of all {}", self.measured.points);
-        Some(row.of(place.body).place(Some(place)).text(text))
+        let text = format!("of all {}", self.measured.points);
+        Some(row.place(Some(place)).text(text))
     }
 
-    /// Returns the works of flow theory; of bodies without plastic strain all are details.
+    /// Returns the works of flow theory; of bodies without plastic strain all are details. Without
+    /// a backstress the plastic work is dissipated.
     fn work(&self) -> Vec<Answer> {
         let Some(FlowFigures { energy, .. }) = &self.known.flow else { return Vec::new() };
-        let since = "since the bodies were at rest";
-        let lost = self.row(Name::DissipatedWork, energy.dissipated()).text(since);
+        let lost = self.row(Name::DissipatedWork, energy.dissipated());
         let is_lost = energy.dissipated() > 0.0;
         let mut rows = vec![if is_lost { lost } else { lost.detail() }];
-        let details = [
-            (Name::Work, energy.work()),
-            (Name::ElasticEnergy, energy.elastic),
-            (Name::PlasticWork, energy.plastic_work),
-            (Name::StoredEnergy, energy.backstress),
-        ];
-        rows.extend(details.map(|(name, value)| self.row(name, value).detail()));
+        let mut details = vec![(Name::Work, energy.work()), (Name::ElasticEnergy, energy.elastic)];
+        if energy.backstress != 0.0 {
+            details.push((Name::PlasticWork, energy.plastic_work));
+            details.push((Name::StoredEnergy, energy.backstress));
+        }
+        rows.extend(details.into_iter().map(|(name, value)| self.row(name, value).detail()));
         rows
     }
 
@@ -400,13 +408,13 @@ impl Facts<'_> {
             let bar = self.bars().and_then(|bars| bars.contact_stiffness);
             self.row(Name::ContactStiffness, slope)
                 .bar(self.bar(&[(Figure::HalfWidth, 0)], bar))
-                .text("slope of the force over the approach")
+                .text(Name::ContactStiffness.meaning())
         });
+        // Elastic bodies have one slope.
         let unloading = self.known.flow.as_ref().map(|flow| flow.unloading_stiffness);
-        let unloading = unloading.filter(|slope| *slope > 0.0).map(|slope| {
-            let row = self.row(Name::UnloadingStiffness, slope);
-            row.text("slope where the load begins to fall")
-        });
+        let is_other = |slope: &f64| *slope > 0.0 && Some(*slope) != self.known.stiffness;
+        let unloading = unloading.filter(is_other);
+        let unloading = unloading.map(|slope| self.told(Name::UnloadingStiffness, slope));
         contact.into_iter().chain(unloading).collect()
     }
 }

@@ -13,6 +13,8 @@ pub enum BarKind {
     Mesh,
     /// A closed form of the job's own data.
     Exact,
+    /// A closed form where there is one, else two meshes.
+    MeshOrExact,
     /// Nothing bounds its error.
     None,
 }
@@ -22,6 +24,7 @@ impl BarKind {
         match self {
             Self::Mesh => "two meshes",
             Self::Exact => "exact",
+            Self::MeshOrExact => "exact, or two meshes",
             Self::None => "none",
         }
     }
@@ -72,14 +75,14 @@ impl Named for Name {}
 
 names! {
     Hardness "Hardness" Number Mesh
-        "number of a hardness test; of `berkovich` and `sphere` the mean pressure";
+        "number of a test by a standard; of `berkovich` and `sphere` see `meyer_hardness`";
     ForceFound "Force found" Force Mesh "force under which a figure has the value that is wanted";
     FirstYieldForce "First yield" Force Exact
-        "force under which a body begins to yield: sought on this mesh, or in closed form";
-    FirstYieldPeakPressure "Peak pressure at first yield" Stress Mesh
-        "peak pressure under the force of first yield that was sought";
-    StrainPerPass "Strain of a steady pass" Strain Mesh
-        "plastic strain that each pass, or pair of passes, adds or moves";
+        "force under which a body begins to yield, of half-spaces; `load.onset` looks for `force`";
+    FirstYieldPeakPressure "Peak pressure at first yield" Stress None
+        "in closed form, of a rounded edge that elements leave out";
+    StrainPerPass "Strain per pass" Strain Mesh
+        "plastic strain that each steady pass, or pair of passes, adds or moves";
     TrackDepth "Depth of the track" Length Mesh
         "how far the surface has sunk, on the axis";
     ForwardDisplacement "Forward displacement" Length Mesh
@@ -117,7 +120,8 @@ names! {
         "largest principal stress that the load has left";
     ContactRatio "Real contact area" Ratio Mesh
         "cells in contact over the area of all heights";
-    NominalPressure "Nominal pressure" Stress Mesh "force over the area of all heights";
+    NominalPressure "Nominal pressure" Stress MeshOrExact
+        "force over the area of all heights";
     YieldedPart "Area that yields" Ratio None
         "part of the area in contact below which a body has yielded";
     EdgePressure "Edge pressure" Stress None
@@ -126,7 +130,8 @@ names! {
     Tilt "Tilt" Angle Mesh "positive where the surfaces are closer at positive y";
     PeakPressure "Peak pressure" Stress Mesh "largest contact pressure";
     MiddlePressure "Pressure in the middle" Stress Mesh
-        "contact pressure in the middle; of a roller the largest across its middle";
+        "contact pressure in the middle, where that is not the peak; of a roller the largest across \
+         its middle";
     HalfWidth "Half-width" Length Mesh
         "half of the distance between the ends of the contact; of a circle its radius";
     HalfWidthAcross "Half-width across" Length Mesh
@@ -163,7 +168,7 @@ names! {
     ContactStiffness "Contact stiffness" Stiffness Mesh
         "slope of the force over the approach, with the plastic flow that it brings";
     UnloadingStiffness "Unloading stiffness" Stiffness None
-        "slope of the force over the approach where the load begins to fall";
+        "slope of the force over the approach where the load begins to fall, of bodies that flow";
     DissipatedWork "Dissipated work" Energy None
         "work on plastic strain that no backstress stores, since the bodies were at rest";
     HalfAngle "Angle of contact" Degrees Mesh
@@ -173,7 +178,7 @@ names! {
     ContactArea "Contact area" Area Mesh
         "area of the contact; of heights that of the cells in contact";
     LargestCellPressure "Largest pressure of a cell" Stress None
-        "of one cell; the peak is a mean over neighbours where bodies yield";
+        "of one cell, where the peak is a mean over neighbours";
     LeastStress "Least stress along the surface" Stress Mesh
         "on the normal below the middle; without force the residual stress";
     LargestVonMises "Largest von Mises stress" Stress Mesh
@@ -188,13 +193,15 @@ names! {
         "area of the section with plastic strain since the load last began to fall";
     Work "Work of the force" Energy None "since the bodies were at rest";
     ElasticEnergy "Elastic energy" Energy None "of both bodies";
-    PlasticWork "Plastic work" Energy None "of the stresses on plastic strain";
+    PlasticWork "Plastic work" Energy None
+        "of the stresses on plastic strain, where a backstress stores a part of it";
     StoredEnergy "Stored energy" Energy None "the part of it that the backstress stores";
     ShearYieldStress "Shear yield stress" Stress Exact
         "of both bodies the lower, where strength does not vary: the scale of the map of shakedown";
     ForceSensitivity "Sensitivity of the target" Number None
         "relative change of the figure that is wanted over that of the force";
-    MeyerHardness "Meyer hardness" Stress Mesh "force over the area of the indentation under it";
+    MeyerHardness "Meyer hardness" Stress Mesh
+        "force over the area of the indentation under it; the answer of `berkovich` and `sphere`";
     LargeStrainBias "Beside large strains" Ratio None
         "mean pressure over that of a published result with large strains, less 1";
     CurvatureBias "Curvature beside large strains" Ratio None
@@ -209,9 +216,9 @@ names! {
     EdgeHeight "Height of the edge" Length None
         "edge of the contact under load over the plane surface; below 0 sunk in";
     MeyerExponent "Meyer's exponent" Number None "of the force over the diameter";
-    RepresentativeStrain "Representative strain" Strain Mesh
+    RepresentativeStrain "Representative strain" Strain MeshOrExact
         "Tabor's plastic strain: 0.2 a/R of a ball, 0.08 of a pyramid";
-    FlowStress "Flow stress" Stress Mesh "of the curve at the representative strain";
+    FlowStress "Flow stress" Stress MeshOrExact "of the curve at the representative strain";
     ConstraintFactor "Constraint factor" Number Mesh
         "mean pressure over the flow stress; Tabor's is 2.8";
     LeastThickness "Least thickness" Length None "of the specimen by the standard";

@@ -5,7 +5,6 @@ use serde::{Deserialize, Serialize};
 use super::names::{BarKind, Name};
 use crate::job::{Named as _, Quantity, Side};
 use crate::report::{FatigueCriterion, SolvedHardening};
-use crate::units::about;
 
 /// One figure, made to be shown.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -22,7 +21,7 @@ pub struct Answer {
     /// Of which pass, rule of hardening, criterion or load it is; absent of the step as it ends.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<AnswerAt>,
-    /// The figure in `unit`; `null` where it is not known, and `text` says why.
+    /// The figure in `unit`; `null` where it is not known, and `reason` says why.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub value: Option<f64>,
     /// Its physical quantity. A `strain` and a `ratio` are shown in per cent.
@@ -164,6 +163,9 @@ impl Bar {
     }
 }
 
+/// Why a figure of a mesh has no bar.
+pub(super) const NO_ESTIMATE: &str = "no estimate is made of it";
+
 impl Answer {
     /// Returns a row with the bar that its name has by itself.
     pub(in crate::report) fn new(
@@ -191,8 +193,10 @@ impl Answer {
         };
         match name.bar() {
             BarKind::Exact => row.bar(Bar::Exact),
-            BarKind::Mesh => row.bar(Bar::none("two meshes do not bound it")),
-            BarKind::None => row.bar(Bar::none("no estimate is made of it")),
+            BarKind::Mesh | BarKind::MeshOrExact => {
+                row.bar(Bar::none("two meshes do not bound it"))
+            }
+            BarKind::None => row.bar(Bar::none(NO_ESTIMATE)),
         }
     }
 
@@ -204,12 +208,6 @@ impl Answer {
             Bar::None(reason) => (ErrorBar::Word(ErrorWord::NotBounded), Some(reason)),
         };
         Self { error, reason, ..self }
-    }
-
-    /// Sets what the figure is at least, or else a note.
-    pub(super) fn at_least(self, at_least: Option<f64>, note: &str) -> Self {
-        let said = at_least.map(|least| format!("at least {} {}", about(least), self.unit));
-        Self { at_least, ..self.text(said.unwrap_or_else(|| note.to_owned())) }
     }
 
     pub(in crate::report) fn elastic(self, elastic: Option<f64>) -> Self {
@@ -230,8 +228,8 @@ impl Answer {
 
     pub(in crate::report) fn of(self, body: AnswerBody) -> Self {
         let label = match body {
-            AnswerBody::Upper => format!("{}, upper body", self.label),
-            AnswerBody::Lower => format!("{}, lower body", self.label),
+            AnswerBody::Upper => format!("{}, upper", self.label),
+            AnswerBody::Lower => format!("{}, lower", self.label),
             AnswerBody::Both => self.label,
         };
         Self { body: Some(body), label, ..self }
@@ -254,9 +252,9 @@ impl Answer {
     }
 
     /// Takes value and bar, for a reason.
-    pub(super) fn not_known(self, reason: &str) -> Self {
-        let row = Self { value: None, elastic: None, ..self };
-        row.bar(Bar::none(reason)).text(format!("not known: {reason}"))
+    pub(in crate::report) fn not_known(self, reason: &str) -> Self {
+        let row = Self { value: None, elastic: None, place: None, ..self };
+        Self { at_least: None, at_most: None, ..row }.bar(Bar::none(reason)).text("")
     }
 
     /// Returns whether the row has this name.

@@ -5,9 +5,6 @@ use crate::job::Load;
 use crate::report::findings::Finding;
 use crate::units::about;
 
-/// Why a utilization of the field has no bar.
-const MESH: &str = "it is that of the mesh";
-
 impl Facts<'_> {
     /// Returns utilization and margin, which every loaded job has.
     pub(super) fn strength(&self) -> Vec<Answer> {
@@ -25,11 +22,13 @@ impl Facts<'_> {
         let utilization = self.row(Name::Utilization, used.map(|used| used.value));
         let utilization = match used {
             Some(used) => {
-                let place = self.place_of(used);
-                let row = Answer { body: Some(place.body), ..utilization };
-                let row = if self.measured.is_of_field { row.bar(Bar::none(MESH)) } else { row };
-                row.place(Some(place))
-                    .text("largest von Mises stress of elastic bodies over the yield stress there")
+                let row = utilization.place(Some(self.place_of(used)));
+                let row = row.text(Name::Utilization.meaning());
+                if self.measured.is_of_field {
+                    row.bar(Bar::none(super::row::NO_ESTIMATE))
+                } else {
+                    row
+                }
             }
             None if !self.can_yield() => utilization.not_known(none),
             None => utilization.not_known(reason.unwrap_or(
@@ -41,13 +40,8 @@ impl Facts<'_> {
         let margin = first.map(|first| first / self.known.figures.force);
         let margin = self.row(Name::Margin, margin);
         let margin = match first {
-            Some(first) => {
-                let first = self.write.force_text(first);
-                let text = format!("force of first yield, {first}, over this force");
-                let row =
-                    if self.job.load == Load::Onset { margin.bar(Bar::Given) } else { margin };
-                row.text(text)
-            }
+            Some(_) if self.job.load == Load::Onset => margin.bar(Bar::Given),
+            Some(_) => margin,
             None if self.is_rough() => margin.not_known("rough surfaces have no closed form"),
             None if !self.can_yield() => margin.not_known(none),
             None => margin
@@ -58,13 +52,9 @@ impl Facts<'_> {
 
     pub(super) fn core(&self) -> Option<Answer> {
         let core = self.measured.core.as_ref()?;
-        let place = self.place_of(core);
-        let text = format!(
-            "von Mises stress over the yield stress below the case, largest of all {}",
-            self.measured.points
-        );
+        let text = format!("below the case, of all {}", self.measured.points);
         let row = self.row(Name::CoreUtilization, core.value);
-        Some(row.of(place.body).place(Some(place)).text(text))
+        Some(row.place(Some(self.place_of(core))).text(text))
     }
 
     pub(super) fn of_shapes(&self) -> Vec<Answer> {
@@ -78,11 +68,7 @@ impl Facts<'_> {
             )));
         }
         let radius = self.measured.effective_radius;
-        rows.extend(radius.map(|radius| {
-            self.row(Name::EffectiveRadius, radius).text(
-                "reciprocal of the sum of both curvatures across the shorter side of the contact",
-            )
-        }));
+        rows.extend(radius.map(|radius| self.told(Name::EffectiveRadius, radius)));
         rows
     }
 

@@ -45,13 +45,6 @@ impl Column {
         Self { name, body, hardening, criterion, quantity }
     }
 
-    /// Whether a row stands in this column. One of no body takes that of the body which decides.
-    fn holds(&self, row: &Answer) -> bool {
-        let of_row = Self::of(row);
-        let body = self.body.and(of_row.body);
-        *self == Self { body, ..of_row }
-    }
-
     fn heading(&self, unit: &str) -> String {
         let body = match self.body {
             Some(AnswerBody::Upper) => "upper_",
@@ -64,9 +57,6 @@ impl Column {
     }
 }
 
-/// Figures that an unloaded step has and a loaded one has not.
-const WITHOUT_FORCE: [Name; 3] = [Name::DentDepth, Name::PermanentApproach, Name::ResidualTension];
-
 /// Columns that a table over depth has where a body needs them.
 #[derive(Debug, Clone, Copy)]
 struct ColumnsOfDepth {
@@ -77,13 +67,13 @@ struct ColumnsOfDepth {
 }
 
 impl Table {
-    /// Returns a table of this form with the columns of the first load step. Later load steps have
-    /// no further columns.
+    /// Returns a table of this form. `first` is the first load step; a summary has the columns of
+    /// the steps that it [has seen](Self::see).
     ///
     /// # Errors
     /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`], [`ExportError::Rolling`],
-    /// [`ExportError::NotRolling`], [`ExportError::NoFatigue`] or [`ExportError::NoHardness`] if the first load step has no
-    /// rows.
+    /// [`ExportError::NotRolling`], [`ExportError::NoFatigue`] or [`ExportError::NoHardness`] if the
+    /// first load step has no rows.
     pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
         match form {
             Export::SubsurfaceCsv if first.subsurface.is_none() => {
@@ -109,13 +99,27 @@ impl Table {
                 Analysis::ThreeDimensional => ["xx", "zz", "yy"],
                 Analysis::PlaneStrain | Analysis::PlaneStress => ["x", "y", "z"],
             },
-            columns: columns(first),
+            columns: Vec::new(),
             passes: first.passes.as_ref().map(names_of).unwrap_or_default(),
             of_depth: ColumnsOfDepth {
                 is_graded: profiles().any(|body| body.yield_stress.is_some()),
                 is_stressed: profiles().any(|body| body.initial_sigma_x.is_some()),
             },
         })
+    }
+
+    /// Adds the columns of a load step to a summary, in the order of the names.
+    pub fn see(&mut self, step: &StepReport) {
+        for column in step.answers.iter().map(Column::of) {
+            if !self.columns.contains(&column) {
+                self.columns.push(column);
+            }
+        }
+        let place = |column: &Column| {
+            let known = Name::VARIANTS.iter().position(|name| name.name() == column.name);
+            (known, column.heading(""))
+        };
+        self.columns.sort_by_cached_key(place);
     }
 
     fn has_cells(&self) -> bool {
@@ -218,7 +222,7 @@ impl Table {
     fn summary(&self, text: &mut String, number: usize, step: &StepReport) {
         let _ = write!(text, "{number},{}", Named::name(step.status));
         for column in &self.columns {
-            let row = step.answers.iter().find(|row| column.holds(row));
+            let row = step.answers.iter().find(|row| Column::of(row) == *column);
             let value = row.and_then(|row| row.value);
             let _ = write!(text, ",{}", value.map_or_else(String::new, |value| value.to_string()));
         }
@@ -252,30 +256,6 @@ impl Table {
     }
 }
 
-/// Returns the columns of a summary: those of the first step, and those of a step without force.
-fn columns(first: &StepReport) -> Vec<Column> {
-    let mut columns: Vec<Column> = first.answers.iter().map(Column::of).collect();
-    if first.increments.is_some() {
-        let bodies = |name: Name| match name {
-            Name::DentDepth => {
-                let depths = first.answers.iter().filter(|row| row.is(Name::SurfaceDepth));
-                depths.map(|row| row.body).collect()
-            }
-            _ => vec![None],
-        };
-        for name in WITHOUT_FORCE {
-            columns.extend(bodies(name).into_iter().map(|body| Column {
-                name: name.name().to_owned(),
-                body,
-                hardening: None,
-                criterion: None,
-                quantity: name.quantity(),
-            }));
-        }
-    }
-    columns
-}
-
 /// Returns the names of the columns of passes.
 fn names_of(passes: &PassesReport) -> [Vec<String>; 3] {
     let names = |columns: &BTreeMap<String, Course>| columns.keys().cloned().collect();
@@ -291,7 +271,8 @@ fn in_brackets(unit: &str) -> String {
 /// Returns the table of a report.
 pub(super) fn table(form: Export, job: &Job, report: &Report) -> Result<String, ExportError> {
     let first = report.steps.first().ok_or(ExportError::NoStep(0))?;
-    let table = Table::new(form, job, first)?;
+    let mut table = Table::new(form, job, first)?;
+    report.steps.iter().for_each(|step| table.see(step));
     let rows = (1..).zip(&report.steps).map(|(number, step)| table.rows(number, step));
     Ok([table.header()].into_iter().chain(rows).collect())
 }

@@ -75,7 +75,7 @@ impl FlowState {
         SurfaceFigures {
             depth: extreme(-1.0),
             pile_up: extreme(1.0),
-            pile_up_from: if extreme(1.0) > 0.0 { x.hypot(y) } else { 0.0 },
+            pile_up_at: [x, y],
             reverse: (most > NOTICEABLE).then(|| [most, reverse_area(body, &gains)]),
         }
     }

@@ -129,6 +129,8 @@ impl Shown for HalfSpaces<'_> {
                 whole: self.whole(step),
                 rolled: None,
                 fatigue: Vec::new(),
+                is_alike: problem.materials[0] == problem.materials[1]
+                    && known::is_shared(&step.field.bodies),
                 is_graded: problem
                     .materials
                     .iter()
@@ -264,8 +266,7 @@ impl<'a> HalfSpaces<'a> {
             let first = self.problem.highest_utilization(step)?;
             (first.side, [first.position[0], first.position[2]])
         };
-        let peak_pressure = step.figures.peak_pressure;
-        Some(Onset { force, peak_pressure, side, position: x, depth })
+        Some(Onset { force, closed_peak: None, side, position: x, depth })
     }
 
     /// Returns dP/dα at a constant contact area \[N/mm\] of bodies that do not flow.

@@ -43,7 +43,7 @@ fn the_onset_of_yield_is_reported_beside_that_of_the_closed_form() {
         &json!({"load": {"onset": true}, "mesh": {"elements_per_half_width": 10}}),
     );
     let step = &report.steps[0];
-    let found = step.row(Name::FirstYieldForce).unwrap();
+    let found = step.row(Name::Force).unwrap();
     let (force, closed) = (found.value.unwrap(), found.elastic.unwrap());
     let (off, bar) = ((force / closed - 1.0).abs(), found.error.bound().unwrap());
     assert!(off < bar && bar < 0.05, "{off} {bar}");
@@ -51,7 +51,6 @@ fn the_onset_of_yield_is_reported_beside_that_of_the_closed_form() {
     let depth = found.place.unwrap().depth / step.elastic(Name::SemiAxisA).unwrap();
     assert!((depth / 0.48 - 1.0).abs() < 0.15, "{depth}");
     assert_eq!(found.place.unwrap().body, AnswerBody::Lower);
-    assert!((force / step[Name::Force] - 1.0).abs() < 1e-12);
 }
 
 #[test]
@@ -66,11 +65,11 @@ fn a_force_is_reported_by_the_dent_that_it_leaves() {
     assert!((found.value.unwrap() / report.steps[0][Name::Force] - 1.0).abs() < 1e-12);
     let reached = report.steps[1][Name::DentDepth];
     assert!((reached / 3e-4 - 1.0).abs() < 1e-2, "{reached}");
-    // The force has one error: as a row of its step without what was missed.
+    // The force has one error, of the mesh and of what was missed.
     let missed = (reached / 3e-4 - 1.0).abs() / sensitivity;
-    let bar = report.steps[0].bar(Name::Force).unwrap();
     let error = found.error.bound().unwrap();
-    assert!(bar > 0.0 && (error - bar - missed).abs() < 1e-9, "{error} {bar} {missed}");
+    assert!(error > missed && error < 1.0, "{error} {missed}");
+    assert_eq!(report.steps[0].bar(Name::Force), None);
 }
 
 #[test]

@@ -5,8 +5,9 @@ use super::{BALL_STRAIN, DAO_STRAIN, HardnessSeen, PYRAMID_STRAIN, dao_curvature
 use crate::job::{Job, Material, TestScale};
 use crate::report::answers::{Answer, AnswerAt, Bar, Name};
 use crate::report::findings::Finding;
+use crate::report::verdict::said;
 use crate::report::{ValidityNote, Verdict, validity};
-use crate::units::{UnitConverter, about, percent};
+use crate::units::{UnitConverter, percent, to_digits};
 
 /// Why a figure of the indentation has no bar.
 const NO_BAR: &str = "too few increments, or no coarser mesh, to bound it";
@@ -32,16 +33,14 @@ impl HardnessSeen {
     /// Puts the number that the loads so far have found before a verdict.
     pub fn before(&self, verdict: Verdict, job: &Job, write: UnitConverter) -> Verdict {
         let rows = self.rows(job, write);
-        let Some(number) = rows.first().filter(|row| row.is(Name::Hardness)) else {
+        let Some((number, value)) = rows.first().and_then(|row| Some((row, row.value?))) else {
             return verdict;
         };
-        let value = number.value.unwrap_or_default();
-        let points = || number.at_most.map(|most| format!(" ± {}", about(most - value)));
+        let points = || number.at_most.map(|most| format!(" ± {}", to_digits(most - value, 2)));
         let bar = number.error.bound().map(|part| format!(" ± {}", percent(part)));
         let bar = bar.or_else(points).unwrap_or_default();
-        let figure = format!("{} {}", about(value), number.unit);
-        let figure = figure.trim_end();
-        Verdict { text: format!("{}: {figure}{bar}. {}", number.label, verdict.text), ..verdict }
+        let (label, figure) = (&number.label, said(number));
+        Verdict { text: format!("{label}: {figure}{bar}. {}", verdict.text), ..verdict }
     }
 
     fn answered(&self, job: &Job, write: UnitConverter) -> Option<Answered> {
@@ -77,9 +76,9 @@ struct Shown<'a> {
 }
 
 impl Shown<'_> {
-    fn row(&self, name: Name, core: f64) -> Answer {
+    fn row(&self, name: Name, core: impl Into<Option<f64>>) -> Answer {
         let quantity = name.quantity();
-        let value = Some(self.write.of(quantity, core));
+        let value = core.into().map(|core| self.write.of(quantity, core));
         Answer::new(name, quantity, self.job.units.symbol(quantity), value).text(name.meaning())
     }
 
@@ -103,9 +102,11 @@ impl Shown<'_> {
         let of_radius = of_area.map(|error| 0.5 * error);
         let pressure = found.pressure();
         let bias = published.map(|(published, source)| (pressure / published - 1.0, source));
-        let mut rows: Vec<Answer> = self.number(bias.map(|(bias, _)| bias)).into_iter().collect();
+        let mut rows = self.number(bias.map(|(bias, _)| bias));
+        if found.without_answer().is_some() {
+            return rows;
+        }
         rows.extend([
-            self.meshed(Name::MeyerHardness, pressure, of_area),
             self.meshed(Name::Diameter, found.diameter(), of_radius),
             self.meshed(Name::IndentationDepth, load.dent, found.depth_error()),
         ]);
@@ -115,11 +116,14 @@ impl Shown<'_> {
         rows.extend(rim.map(|seen| self.row(Name::RimDiameter, 2.0 * seen.highest[0].abs())));
         rows.push(self.row(Name::EdgeHeight, found.edge_height()));
         if let Some([strain, stress]) = curve {
-            rows.extend([
-                self.meshed(Name::RepresentativeStrain, strain, of_radius),
-                self.meshed(Name::FlowStress, stress, of_radius),
-                self.meshed(Name::ConstraintFactor, pressure / stress, of_area),
-            ]);
+            let is_given = found.test.slope().is_some();
+            rows.extend([(Name::RepresentativeStrain, strain), (Name::FlowStress, stress)].map(
+                |(name, core)| {
+                    let row = self.meshed(name, core, of_radius);
+                    if is_given { row.bar(Bar::Exact) } else { row }
+                },
+            ));
+            rows.push(self.meshed(Name::ConstraintFactor, pressure / stress, of_area));
         }
         rows.extend(found.fit.map(|fit| self.row(Name::MeyerExponent, fit.exponent)));
         rows.extend(bias.map(|(bias, source)| self.row(Name::LargeStrainBias, bias).text(source)));
@@ -133,34 +137,35 @@ impl Shown<'_> {
         rows
     }
 
-    /// Returns the number, or the pressure that stands for it.
-    fn number(&self, bias: Option<f64>) -> Option<Answer> {
+    /// Returns the number and the mean pressure; of a scale without number the pressure alone. Both
+    /// are those of an indentation.
+    fn number(&self, bias: Option<f64>) -> Vec<Answer> {
         let found = self.found;
-        let row = match (found.number(), found.test.scale) {
-            (Some(number), _) => self.row(Name::Hardness, number),
-            (None, TestScale::Berkovich | TestScale::Sphere) => {
-                let pressure = self.row(Name::MeyerHardness, found.pressure());
-                Answer { name: self.row(Name::Hardness, 0.0).name, ..pressure }
-            }
-            (None, _) => return None,
+        let pressure = self.meshed(Name::MeyerHardness, found.pressure(), found.relative_error());
+        let has_number = !matches!(found.test.scale, TestScale::Berkovich | TestScale::Sphere);
+        let first = match found.number() {
+            _ if !has_number => pressure.clone(),
+            number => self.row(Name::Hardness, number).labelled(&found.test.name()),
         };
+        if let Some(reason) = found.without_answer() {
+            return vec![first.not_known(reason)];
+        }
         let beside = |bias: f64| {
             let side = if bias < 0.0 { "below" } else { "above" };
             format!("its mean pressure is {} {side} that with large strains", percent(bias.abs()))
         };
         let relative = found.relative_error();
         let points = found.number_error().filter(|_| relative.is_none());
-        let said = points.map(|points| format!("± {} points", about(points)));
-        let clauses: Vec<_> = said.into_iter().chain(bias.map(beside)).collect();
         let bar = match (relative, points) {
             (Some(error), _) => Bar::Relative(error),
             (None, Some(_)) => Bar::none("its zero is a convention"),
             (None, None) => Bar::none(NO_BAR),
         };
-        let row = row.labelled(&found.test.name()).bar(bar).text(clauses.join("; "));
-        let value = row.value?;
-        let at = |sign: f64| points.map(|points| value + sign * points);
-        Some(Answer { at_least: at(-1.0), at_most: at(1.0), ..row })
+        let at = |sign: f64| Some(first.value? + sign * points?);
+        let (at_least, at_most) = (at(-1.0), at(1.0));
+        let text = bias.map_or_else(String::new, beside);
+        let first = Answer { at_least, at_most, ..first }.bar(bar).text(text);
+        if has_number { vec![first, pressure] } else { vec![first] }
     }
 
     /// Returns what an instrument would find, beside the true contact.

@@ -120,6 +120,17 @@ impl<'a> Found<'a> {
         self.loads.len() > last && self.loads[..=last].iter().all(|seen| seen.is_converged)
     }
 
+    /// Returns why there is no hardness, if so.
+    pub fn without_answer(&self) -> Option<&'static str> {
+        if !self.is_converged() {
+            Some("a load of the test has no answer so far")
+        } else if !self.load().has_yielded {
+            Some("the specimen has not yielded: nothing is indented")
+        } else {
+            None
+        }
+    }
+
     pub fn area(&self) -> f64 {
         std::f64::consts::PI * self.radius * self.radius
     }
@@ -137,7 +148,7 @@ impl<'a> Found<'a> {
 
     /// Returns the hardness number, of a specimen that has a dent.
     pub fn number(&self) -> Option<f64> {
-        self.number_of(self.radius).filter(|_| self.is_converged() && self.load().has_yielded)
+        self.number_of(self.radius).filter(|_| self.without_answer().is_none())
     }
 
     /// Returns the hardness number for a radius of the contact.

@@ -2,7 +2,7 @@
 
 use super::document::{SolvedHardening, TrackVerdict};
 use super::known::{PassFigure, Rolled, Ruled};
-use crate::job::{Load, Side};
+use crate::job::{Load, Named as _, Side};
 use crate::report::answers::{Answer, AnswerAt, AnswerBody, Bar, Facts, Name};
 use crate::report::{ErrorBar, VerdictLevel};
 use crate::solver::rolling::Limit;
@@ -113,9 +113,8 @@ impl Facts<'_> {
     pub(in crate::report) fn of_track(&self, rolled: &Rolled) -> Vec<Answer> {
         let Some(last) = &rolled.last else { return Vec::new() };
         let mut rows = self.rates(rolled);
-        let sides: &[Side] = if rolled.is_shared { &[Side::Lower] } else { &Side::BOTH };
-        for side in sides {
-            let of = if rolled.is_shared { AnswerBody::Both } else { (*side).into() };
+        for side in self.sides() {
+            let of = self.body(*side);
             let figures = &last.bodies[side.member()];
             rows.extend(figures.iter().map(|figure| self.of_pass(figure, Some(of)).of(of)));
         }
@@ -135,7 +134,7 @@ impl Facts<'_> {
     /// Returns the row of a figure of a pass.
     fn of_pass(&self, figure: &PassFigure, body: Option<AnswerBody>) -> Answer {
         let bar = figure.bar().map_or_else(|| Bar::none(NO_BAR), Bar::Relative);
-        let row = self.row(figure.name, figure.core).bar(bar).text(figure.name.meaning());
+        let row = self.told(figure.name, figure.core).bar(bar);
         let place = figure.place.zip(body);
         let place = place.map(|([across, depth], body)| self.place(body, [0.0, across, depth]));
         let row = row.place(place);
@@ -152,21 +151,25 @@ impl Facts<'_> {
                 "accumulated in each pass, or pair of passes, and taken back"
             }
             TrackVerdict::Ratchets => "added by each pass, or pair of passes, for good",
-            TrackVerdict::Undecided => "not known: more passes are needed",
+            TrackVerdict::Undecided => "",
         };
         let of = |(k, rule): (usize, &Ruled)| {
             let bar = rule.rate.zip(rule.rate_error).map(|(rate, error)| error / rate);
-            let bar = match (rule.rate, bar.filter(|bar| bar.is_finite())) {
-                (Some(0.0), _) => Bar::none("a figure of zero has no relative error"),
-                (_, Some(bar)) => Bar::Relative(bar),
-                (_, None) => Bar::none(NO_BAR),
-            };
+            let bar = bar.filter(|bar| bar.is_finite());
+            let bar = bar.map_or_else(|| Bar::none(NO_BAR), Bar::Relative);
             let hardening = (rolled.rules.len() > 1).then_some(rule.hardening());
             let at = AnswerAt { pass: Some(rule.passes), hardening, ..AnswerAt::default() };
             let label = Name::StrainPerPass.label();
-            let label = format!("{label}{}", by_rule(rule.hardening()));
+            let label = match rule.hardening() {
+                SolvedHardening::Given => label.to_owned(),
+                hardening => format!("{label}, {}", hardening.name()),
+            };
             let row = self.row(Name::StrainPerPass, rule.rate).bar(bar).at(at);
-            let row = row.labelled(&label).text(text(rule.verdict()));
+            let row = match rule.verdict() {
+                TrackVerdict::Undecided => row.not_known("more passes are needed"),
+                verdict => row.text(text(verdict)),
+            };
+            let row = row.labelled(&label);
             let body = rule.body.map(AnswerBody::from);
             let of = body.unwrap_or(AnswerBody::Both);
             let place = rule.depth.map(|depth| self.place(of, [0.0, 0.0, depth]));
@@ -180,7 +183,7 @@ impl Facts<'_> {
         let row = |name: Name, limit: Option<Limit>| {
             let limit = limit?;
             let place = self.place(Side::of(limit.side).into(), [0.0, 0.0, limit.depth]);
-            Some(self.row(name, limit.peak_pressure).place(Some(place)).text(name.meaning()))
+            Some(self.told(name, limit.peak_pressure).place(Some(place)))
         };
         let [perfect, kinematic] = rolled.limits;
         let limits = [

@@ -18,8 +18,6 @@ pub(in crate::report) struct Rolled {
     pub shear_yield_stress: Option<f64>,
     /// The last pass; none before the first has converged.
     pub last: Option<PassFigures>,
-    /// Whether both bodies are one.
-    pub is_shared: bool,
 }
 
 impl Rolled {

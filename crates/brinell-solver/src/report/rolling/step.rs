@@ -116,6 +116,7 @@ impl Shown for Track<'_> {
                 whole: None,
                 rolled: Some(shown.rolled()),
                 fatigue: shown.fatigue(),
+                is_alike: self.input.problem.is_shared(),
                 is_graded: false,
             },
             contact: shown.contact(),
@@ -229,7 +230,6 @@ impl Passes<'_> {
             limits: self.field.limits.map(|limit| limit.filter(|limit| limit.peak_pressure > 0.0)),
             shear_yield_stress: self.problem.shear_yield_stress(),
             last: self.all_passes().last(),
-            is_shared: self.problem.is_shared(),
         }
     }
 
@@ -304,7 +304,7 @@ impl Passes<'_> {
         let (field, rolled) = (self.field, self.rolled());
         let as_given = (&field.fatigue, &field.verdicts);
         let other = field.kinematic.as_ref().map(|other| (&other.fatigue, &other.verdicts));
-        let is_one = rolled.is_shared;
+        let is_one = self.problem.is_shared();
         let sides = || Side::BOTH.into_iter().skip(usize::from(is_one));
         let has_limits = |side: &Side| {
             let material = self.problem.materials[side.member()].as_ref();
