@@ -85,14 +85,13 @@ impl JobService {
         let shown = if form.is_table() { 0 } else { wanted };
         let mut shown = self.step_report(id, shown, key).await?;
         Ok(exported(if form.is_table() {
-            let steps = step.map_or(0..steps, |step| step..step + 1);
             let mut table = Table::new(form, &job, &shown)?;
             if form == Export::SummaryCsv {
-                for number in steps.clone() {
+                for number in 0..steps {
                     table.see(&self.step_report(id, number, key).await?);
                 }
             }
-            ExportForm::Table(table, steps)
+            ExportForm::Table(table, step.map_or(0..steps, |step| step..step + 1))
         } else if form == Export::FieldVtu && shown.contact.section.is_some() {
             let maps = shown.contact.maps.take().ok_or(ExportError::NoFields)?;
             ExportForm::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
