@@ -16,6 +16,8 @@ pub mod contact_job;
 pub mod domain;
 pub mod error;
 pub mod fields;
+mod figure;
+mod find;
 pub mod hardening;
 pub mod hardness;
 pub mod initial_stress;
@@ -44,6 +46,7 @@ pub mod tensile;
 mod theory;
 mod three_dimensions;
 pub mod units;
+mod varied;
 
 pub use analysis::Analysis;
 pub use body::{Body, FarSupport};
@@ -52,6 +55,8 @@ pub use contact_job::Job;
 pub use domain::Domain;
 pub use error::{FaultCode, FieldError, JobError};
 pub use fields::{Field, FieldTable};
+pub use figure::{BarKind, Name, table_of_names};
+pub use find::{Find, Tolerance, Wanted};
 pub use hardening::{
     BackstressTerm, Bilinear, Hardening, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,
 };

@@ -3,11 +3,10 @@
 
 mod bodies;
 mod contact;
-mod names;
 mod row;
 mod strength;
 
-pub use names::{BarKind, Name, table_of_names};
+pub use crate::job::{BarKind, Name, table_of_names};
 pub(super) use row::Bar;
 pub use row::{Answer, AnswerAt, AnswerBody, AnswerPlace, ErrorBar, ErrorWord};
 

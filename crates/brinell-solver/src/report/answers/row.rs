@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::names::{BarKind, Name};
-use crate::job::{Named as _, Quantity, Side};
+use crate::job::{BarKind, Name, Named as _, Quantity, Side};
 use crate::report::SolvedHardening;
 use crate::units::about;
 
@@ -251,9 +250,19 @@ impl Answer {
     }
 
     /// Takes value and bar, for a reason.
-    pub(super) fn not_known(self, reason: &str) -> Self {
+    pub(in crate::report) fn not_known(self, reason: &str) -> Self {
         let row = Self { value: None, elastic: None, ..self };
         row.bar(Bar::none(reason)).text(format!("not known: {reason}"))
+    }
+
+    /// Returns whether the row is that of a body, or of both.
+    pub fn is_of(&self, side: Side) -> bool {
+        [Some(AnswerBody::from(side)), Some(AnswerBody::Both)].contains(&self.body)
+    }
+
+    /// Returns whether both are rows of one figure.
+    pub fn is_alike(&self, other: &Self) -> bool {
+        (&self.name, self.body, self.at) == (&other.name, other.body, other.at)
     }
 
     /// Returns whether the row has this name.
