@@ -56,7 +56,6 @@ from ._errors import (
     Unavailable,
 )
 from ._fields import BodyFields, Fields
-from ._find import Found
 from ._grid import over_grid
 from ._hardness import brinell_test, rockwell_c, vickers
 from ._identify import Identification, identify
@@ -87,7 +86,6 @@ __all__ = [
     "Event",
     "Fault",
     "Fields",
-    "Found",
     "Identification",
     "InvalidJob",
     "Job",

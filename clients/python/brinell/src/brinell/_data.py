@@ -14,6 +14,7 @@ import numpy as np
 
 from ._errors import BrinellError, ServiceError
 from ._fields import Fields
+from ._found import found_of, tolerances_of
 from ._plain import need
 from ._rolling import Rolling
 from ._step import Answer, Pressure, Remark, Step, Verdict
@@ -246,6 +247,16 @@ class ResultData:
         }
         frame: pd.DataFrame = pandas.DataFrame(curve)
         return frame
+
+    @property
+    def found(self) -> pd.DataFrame:
+        """The jobs of a search (`find`): `value`, `figure`, `error`; `attrs` has its answer."""
+        return found_of(self.data)
+
+    @property
+    def tolerances(self) -> pd.DataFrame:
+        """What tolerances of inputs do to each figure, a row for each."""
+        return tolerances_of(self.data)
 
     @property
     def hardness_curve(self) -> pd.DataFrame:
