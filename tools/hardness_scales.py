@@ -39,7 +39,7 @@ def main(where: str) -> None:
             jobs.append(brinell.vickers(one, force_kgf=10, elements_per_half_width=16))
             keys.append((exponent, strength))
     with brinell.Client() as client:
-        found = [result.hardness for _, result in client.map(jobs, ordered=True)]
+        found = [result.row("hardness") for _, result in client.map(jobs, ordered=True)]
     mpl.rcParams["svg.hashsalt"] = "brinell"
     _, ax = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
     print("| n | σ_y [MPa] | HBW 10/3000 | HV 10 | HBW / HV |\n|--:|--:|--:|--:|--:|")
@@ -50,24 +50,19 @@ def main(where: str) -> None:
                 continue
             ball, pyramid = found[2 * at], found[2 * at + 1]
             texts = [
-                f"{one['number']:.0f} ± {100 * one['relative_error']:.1f} %"
-                if one.get("number") and one.get("relative_error")
-                else "none"
+                f"{one.value:.0f} ± {100 * one.error:.1f} %" if one.error > 0 else "none"
                 for one in (ball, pyramid)
             ]
             ratio = (
-                "" if "none" in texts else f"{ball['number'] / pyramid['number']:.3f}"
+                "" if "none" in texts else f"{ball.value / pyramid.value:.3f}"
             )
             print(f"| {exponent} | {key[1]} | {texts[0]} | {texts[1]} | {ratio} |")
             if ratio:
                 points.append(
                     [
-                        pyramid["number"],
-                        ball["number"],
-                        *(
-                            one["number"] * one["relative_error"]
-                            for one in (pyramid, ball)
-                        ),
+                        pyramid.value,
+                        ball.value,
+                        *(one.value * one.error for one in (pyramid, ball)),
                     ]
                 )
         x, y, dx, dy = zip(*points, strict=True)

@@ -51,7 +51,7 @@ const isStill = matchMedia('(prefers-reduced-motion: reduce)');
  */
 function sourceOf(id, report, job) {
   // A track has no mesh.
-  const inside = report.steps.some(({ fields, layers, rolling }) => fields ?? layers ?? rolling);
+  const inside = report.steps.some(({ fields, layers, passes }) => fields ?? layers ?? passes);
   if (!job.output?.fields || inside) return undefined;
   return report.analysis === 'three_dimensional'
     ? new LayerSource(id, report)
@@ -76,13 +76,16 @@ const doors = new Doors(draft, examples, () => {
 const form = new Form(draft, (moving) => live.ask(draft.job, moving));
 const json = startJson(draft);
 const sketch = startSketch(draft);
+/** The job that is shown, whatever the form has come to since. */
+const takeShown = () => {
+  const { current } = store.state;
+  if (current && !same(current.job, draft.job)) draft.replace(current.job, 'job');
+};
 /** Ids of the job that was shown before the last one, and of that. */
 let [before, last] = ['', ''];
 const view = new View({
   fieldsWanted: () => {
-    // Of the job that is shown, whatever the form has come to since.
-    const { current } = store.state;
-    if (current && !same(current.job, draft.job)) draft.replace(current.job, 'job');
+    takeShown();
     draft.set('/output/fields', true, 'page');
     solve();
   },
@@ -138,6 +141,10 @@ const watch = new Watch({
     store.take({ type: 'removed', id });
     show();
     view.refreshReport();
+  },
+  again: () => {
+    takeShown();
+    solve();
   },
 });
 

@@ -183,7 +183,8 @@ impl Page {
         }
         let more = rows.len() - shown().count();
         if more > 0 {
-            self.line(&self.style.dim(&format!("{more} more rows: --format json")));
+            let rows = if more == 1 { "row" } else { "rows" };
+            self.line(&self.style.dim(&format!("{more} more {rows}: --format json")));
         }
     }
 

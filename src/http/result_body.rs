@@ -74,7 +74,7 @@ impl SentResult {
     }
 
     /// 200 with the report, or 304.
-    pub(super) async fn alone(self, headers: &HeaderMap) -> Result<Response, Problem> {
+    pub(super) fn alone(self, headers: &HeaderMap) -> Result<Response, Problem> {
         let coding = if self.is_compressed(headers) { "-gzip" } else { "" };
         let tag =
             format!("\"{}-{}-{}{coding}\"", self.id, self.head.attempt, self.selection.name());
@@ -88,13 +88,13 @@ impl SentResult {
         if is_known(&tag, headers) {
             return Ok((StatusCode::NOT_MODIFIED, common).into_response());
         }
-        let body = self.body(Around::default(), headers).await?;
+        let body = self.body(Around::default(), headers)?;
         Ok((common, body).into_response())
     }
 
     /// Answers 200 with the job and the report inside, without an `ETag`: the state of the job
     /// changes.
-    pub(super) async fn inside(
+    pub(super) fn inside(
         self,
         job: &JobDocument,
         headers: &HeaderMap,
@@ -102,16 +102,12 @@ impl SentResult {
         let mut before = serde_json::to_vec(job).map_err(StoreError::unavailable)?;
         before.pop();
         before.extend_from_slice(b",\"result\":");
-        let body = self.body([before.into(), Bytes::from_static(b"}")], headers).await?;
+        let body = self.body([before.into(), Bytes::from_static(b"}")], headers)?;
         let common = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
         Ok((common, body).into_response())
     }
 
-    async fn body(
-        self,
-        [before, behind]: Around,
-        headers: &HeaderMap,
-    ) -> Result<Response, Problem> {
+    fn body(self, [before, behind]: Around, headers: &HeaderMap) -> Result<Response, Problem> {
         let about = (Extension(JobIdExtension(self.id)), Extension(CodingChosen));
         let (begin, end) = self.head.around_steps().ok_or_else(|| no_step(0))?;
         let steps = self.steps()?;

@@ -24,7 +24,7 @@ fn is_solved_again(database: &str, part: &str) {
     let request = server.target.get(&format!("{job}/request"));
     assert_eq!(request.status, 200, "the job that is solved again");
     let again = server.target.post("/v1/solve", request.body);
-    assert_eq!(again.json()["status"], "converged");
+    assert_eq!(again.json()["status"], "succeeded");
 }
 
 #[test]

@@ -123,7 +123,7 @@ fn a_raceway_is_kept_and_read_back_in_every_form() {
     assert!(without["steps"][0]["layers"].is_null());
     assert!(estimate["estimate"]["result_bytes"].as_u64().unwrap() > 1000, "{estimate}");
     for (file, beginning, lines) in [
-        ("summary.csv", "step,status,force [N],", 2),
+        ("summary.csv", "step,status,peak_pressure [MPa],", 2),
         ("pressure.csv", "step,x [mm],y [mm],pressure [MPa],gap [mm]\n", 1 + columns * rows),
         ("subsurface.csv", "step,body,depth [mm],sigma_xx [MPa],sigma_zz [MPa],sigma_yy [MPa]", 3),
         ("pressure.svg", "<svg ", 3),

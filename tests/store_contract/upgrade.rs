@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use brinell::jobs::{Idempotency, JobId, JobState, NewJob, Scope, Turn};
-use brinell_solver::report::Report;
 use brinell_solver::solver::SolveStatus;
 use sqlx::{Connection, PgConnection, SqliteConnection};
 
@@ -69,8 +68,9 @@ async fn everything_is_there(subject: &Subject) {
     let record = subject.get(done).await;
     assert!(record.finished_at > record.started_at && record.has_report && record.iterations > 5);
     assert_eq!(store.history(done, 0).await.unwrap().len(), record.iterations);
-    let report: Report = serde_json::from_slice(&subject.head(done).await).unwrap();
-    assert_eq!((report.status, report.version.as_str()), (SolveStatus::Converged, "0.1.0"));
+    // A result of that version has no rows; it is there, and refused where it is asked for.
+    let head: serde_json::Value = serde_json::from_slice(&subject.head(done).await).unwrap();
+    assert_eq!([&head["status"], &head["version"]], ["converged", "0.1.0"]);
     let request = store.request(done).await.unwrap();
     brinell_solver::job::Job::from_json(&request).expect("what was a job is a job");
 

@@ -78,6 +78,11 @@ def check_shapes(grid):
     return body
 
 
+def figure(step, name):
+    """The value of the first row of a name."""
+    return next(row["value"] for row in step["answers"] if row["name"] == name)
+
+
 def check_cylinders(report, grid):
     body = check_shapes(grid)
     step = report["steps"][0]
@@ -88,18 +93,18 @@ def check_cylinders(report, grid):
     assert len(at_origin) == 2, "one node of each body where they touch, the axis not doubled"
     stress = grid.point_data["stress"]
     xx, yy, zz, xy, yz, xz = stress.T
-    assert np.allclose(-yy[at_origin], step["contact"]["peak_pressure"], rtol=0.03)
+    assert np.allclose(-yy[at_origin], figure(step, "peak_pressure"), rtol=0.03)
     assert not yz.any() and not xz.any()
     deviator = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
     assert np.allclose(
         grid.point_data["von_mises"], np.sqrt(0.5 * deviator + 3 * xy**2), rtol=1e-9
     )
     _, u_y, _ = grid.point_data["displacement"].T
-    assert np.allclose(u_y[y > 20 - 1e-9], -step["approach"]) and np.allclose(
+    assert np.allclose(u_y[y > 20 - 1e-9], -figure(step, "approach")) and np.allclose(
         u_y[y < -20 + 1e-9], 0
     )
     strain = grid.point_data["equivalent_plastic_strain"]
-    largest = step["plasticity"]["lower"]["max_equivalent_plastic_strain"]
+    largest = figure(step, "max_plastic_strain")
     assert 0.8 * largest < strain.max() < 1.1 * largest, (strain.max(), largest)
 
 
@@ -139,7 +144,7 @@ def check_layers(step, faces, cells, bodies):
                 )
         for key in ("von_mises", "equivalent_plastic_strain"):
             assert np.array_equal(of_body(cells[key]), array(key)), (name, key)
-    largest = step["plasticity"]["lower"]["max_equivalent_plastic_strain"]
+    largest = figure(step, "max_plastic_strain")
     assert cells["equivalent_plastic_strain"].max() == largest > 0
 
 

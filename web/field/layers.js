@@ -36,7 +36,7 @@ export class LayerSource {
     this.steps = steps;
     /** Whether every step is fetched. */
     this.whole = steps.length * mesh.elements * 15 < FEW;
-    this.axes = axesOf(steps[0]?.three_dimensional ?? { orientation: 0 });
+    this.axes = axesOf(steps[0]);
     this.planes = { x: this.#plane('x'), y: this.#plane('y') };
   }
 
@@ -175,20 +175,20 @@ function outlineOf({ nodes, equivalent_plastic_strain: strain }, many, rows) {
 
 /** A report as that of the section: its contact lies along the section, and its bodies are whole. @param {Report} report @param {Axis} axis of the contact @returns {Report} */
 export const reportOf = (report, axis) => {
-  const axes = axesOf(report.steps[0].three_dimensional ?? { orientation: 0 });
+  const axes = axesOf(report.steps[0]);
   const { name } = axes[axis];
   return {
     ...report,
     analysis: /** @type {any} */ (`section_${name}`),
     mesh: { ...report.mesh, symmetric: false },
     steps: report.steps.map((step) => {
-      const { three_dimensional: ellipse, contact } = step;
-      // The surfaces of both bodies are where they touch; the section has a zone of its own.
-      const still = { ...step, approach: 0, plasticity: { upper: null, lower: null } };
+      const { section, ...contact } = step.contact;
+      // The section has a zone of its own.
+      const still = { ...step, plasticity: { upper: null, lower: null } };
       const layers = /** @type {any} */ (step.layers);
       const fields = layers && planesOf(layers, axes, through(step))[axis];
-      if (!ellipse) return { ...still, fields };
-      const { y, pressure } = ellipse.section;
+      if (!section) return { ...still, fields };
+      const { y, pressure } = section;
       const own = axis === 'x' ? contact.nodes : { x: y, pressure };
       const { x: places, y: values } = alongJob(own.x, own.pressure, axes[axis]);
       const touching = places.filter((_, k) => values[k] > 0);

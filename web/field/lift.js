@@ -83,15 +83,17 @@ export function surfaceOf(body, places) {
 /**
  * @param {Framed | null} upper
  * @param {Framed | null} lower
- * @param {Pick<import('../types.js').Step, 'approach' | 'contact'>} step
+ * @param {number[]} places of the contact pairs
+ * @param {number} peak place of the largest pressure
+ * @param {number} approach by which the upper body is lowered
  * @returns {(deformation: number) => Lifts}
  */
-export function lifts(upper, lower, { approach, contact: { nodes, peak_position: peak } }) {
-  const [above, below] = [upper, lower].map((body) => body && surfaceNodes(body, nodes.x));
-  const there = nodes.x
+export function lifts(upper, lower, places, peak, approach) {
+  const [above, below] = [upper, lower].map((body) => body && surfaceNodes(body, places));
+  const there = places
     .map((_, k) => k)
     .filter((k) => [above, below].every((surface) => !surface || surface[k] >= 0));
-  const fromPeak = (/** @type {number} */ k) => Math.abs(nodes.x[k] - peak);
+  const fromPeak = (/** @type {number} */ k) => Math.abs(places[k] - peak);
   const middle = there.reduce((a, b) => (fromPeak(b) < fromPeak(a) ? b : a), there[0] ?? -1);
   const [up, low] = [movedAt(upper, above, middle), movedAt(lower, below, middle)];
   // Kept by themselves: the meshes may be given back before they are drawn for the last time.
@@ -100,11 +102,11 @@ export function lifts(upper, lower, { approach, contact: { nodes, peak_position:
       ? there.map((k) => ({
           one: movedAt(upper, above, k),
           other: movedAt(lower, below, k),
-          normal: lower.frame.outward(nodes.x[k]),
+          normal: lower.frame.outward(places[k]),
         }))
       : [];
   return (f) => {
-    const lifted = { upper: -(approach ?? 0) - (f - 1) * up.v, lower: -(f - 1) * low.v };
+    const lifted = { upper: -approach - (f - 1) * up.v, lower: -(f - 1) * low.v };
     if (!upper) return { ...lifted, contact: low.y + f * low.v + lifted.lower, unloaded: low.y };
     if (!lower) return { ...lifted, contact: up.y + f * up.v + lifted.upper, unloaded: up.y };
     let overlap = 0;

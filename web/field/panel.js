@@ -417,7 +417,11 @@ export class FieldPanel {
     const { steps } = report;
     const fields = steps[at].fields ?? this.#source?.peek(at, arraysOf(this.scene.quantity));
     if (!fields) return undefined;
-    const { low, high } = extremes(bodiesOf(steps[at], fields), this.scene.quantity, report);
+    const { low, high } = extremes(
+      bodiesOf(report, steps[at], fields),
+      this.scene.quantity,
+      report,
+    );
     return [low, high];
   }
 

@@ -12,6 +12,7 @@ import { withoutLoad } from './cut.js';
 import { Renderer } from './gl.js';
 import { axesOf } from '../result/axes.js';
 import { extentSeen } from '../result/extent.js';
+import { approachIn, boundOf, peakIn } from '../result/rows.js';
 import { frameOf } from './frame.js';
 import { carried, locateAll, vectorAt } from './locate.js';
 import { lifts, surfaceOf } from './lift.js';
@@ -109,14 +110,14 @@ export class Scene {
     const step = this.#step();
     if (!this.shown || !step) return;
     const { job, report } = this.shown;
-    const framed = bodiesOf(step, fields).map((body) => ({
+    const framed = bodiesOf(report, step, fields).map((body) => ({
       ...body,
       frame: frameOf(job, body.name, body.mesh),
     }));
     const [upper, lower] = ['upper', 'lower'].map(
       (name) => framed.find((body) => body.name === name) ?? null,
     );
-    this.#lifts = lifts(upper, lower, step);
+    this.#lifts = lifts(upper, lower, step.contact.nodes.x, peakIn(step), loweredBy(report, step));
     const body = lower ?? upper;
     if (body) this.#surface = surfaceOf(body, step.contact.nodes.x);
     this.bodies = framed.map((body) => ({
@@ -160,17 +161,16 @@ export class Scene {
     const [answer, end] = SAID[this.quantity] ?? [];
     const found = this.#step()?.answers?.find(({ name, place }) => name === answer && place);
     if (!this.shown || !end || !found?.place || !found.value) return undefined;
-    const { place, value, error } = found;
+    const { place, value } = found;
     const body = this.bodies.find(({ name }) => place.body === 'both' || name === place.body);
-    const solid = this.#step()?.three_dimensional;
-    const axes = solid && axesOf(solid);
-    const axis = axes && this.shown.report.analysis === `section_${axes.y.name}` ? 'y' : 'x';
-    const along = (axes?.[axis].sign ?? 1) * (place[axis] ?? 0);
+    const axes = axesOf(/** @type {import('../types.js').Step} */ (this.#step()));
+    const axis = this.shown.report.analysis === `section_${axes.y.name}` ? 'y' : 'x';
+    const along = axes[axis].sign * (place[axis] ?? 0);
     const at = body?.frame.point(along, place.depth);
     const there = body && at && locateAll(body.mesh, [at])[0];
     if (!body || !at || !there) return undefined;
     const [u, v] = vectorAt(there, body.mesh.displacement);
-    return { end, value, error, name: body.name, x: at[0], y: at[1], u, v };
+    return { end, value, error: boundOf(found), name: body.name, x: at[0], y: at[1], u, v };
   }
 
   /** Of the quantity that is drawn. */
@@ -363,11 +363,14 @@ export class Scene {
   }
 }
 
-/** @param {Step} step @param {Fields} fields @returns {import('./read.js').Body[]} */
-export const bodiesOf = (step, fields) =>
+/** How far the upper body is lowered; in a section of half-spaces both surfaces are where they touch. @param {Report} report @param {Step} step */
+const loweredBy = ({ analysis }, step) => (analysis.startsWith('section') ? 0 : approachIn(step));
+
+/** @param {Report} report @param {Step} step @param {Fields} fields @returns {import('./read.js').Body[]} */
+export const bodiesOf = (report, step, fields) =>
   /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
     const mesh = fields[name];
     return mesh
-      ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -(step.approach ?? 0) : 0 }]
+      ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -loweredBy(report, step) : 0 }]
       : [];
   });

@@ -80,8 +80,8 @@ const plain = (name) =>
  * @returns {[name: string, unit: string]}
  */
 export function partsOf(header) {
-  const [, before, bracketed] = /^(.*?)\s*[[(]\s*([^\])]+?)\s*[\])]$/.exec(header) ?? [];
-  if (bracketed) return [before, bracketed];
+  const [, before, bracketed] = /^(.*?)[[(]([^\])]+)[\])]$/.exec(header) ?? [];
+  if (bracketed) return [before.trim(), bracketed.trim()];
   const start = [0, ...[...header.matchAll(/[\s/,_]/g)].map(({ index }) => index + 1)];
   const at = start.find((from) => isUnit(header.slice(from).trim()));
   return at === undefined
@@ -145,7 +145,7 @@ function factsOf(headers) {
 
 /** Whether a curve of stress over strain begins at nothing, as a record does. @param {number[][]} points */
 export const beginsAtNothing = (points) =>
-  points.length > 3 && points[0][1] < BEGINS * Math.max(...points.map(([, stress]) => stress));
+  Math.abs(points[0]?.[1]) < BEGINS * Math.max(...points.map(([, stress]) => Math.abs(stress)));
 
 /**
  * The unit of strains by the first slope: per cent where that is Young’s modulus, and not a
@@ -203,6 +203,8 @@ export function recordOf(headers, body, modulus, choice = {}) {
   }
   const less = body.length - rows.length;
   if (less) record.notes.push(`${less} line${less > 1 ? 's' : ''} without a figure in these columns left out`); // prettier-ignore
+  if (record.points.every(([, up]) => up <= 0))
+    return ask(`${quoted(columns[at[1]]?.name ?? `column ${at[1] + 1}`)} has no figure above 0: write a test in compression as true strain and true stress without signs`); // prettier-ignore
   // Without a word of what they are, figures that begin at yield are a hardening curve.
   const isSure = choice.columns || columns.some(({ role }) => role.startsWith('engineering'));
   if (!isForce && !isSure && !beginsAtNothing(record.points)) return undefined;

@@ -400,7 +400,9 @@ function namedBy(headers, body, quantities, units, symbols) {
     }
     for (const [k, [, name]] of parts.entries()) {
       const axis = axes[k];
-      if (axis < 0) continue;
+      // The figure behind a scale is the load of its test.
+      const isLoad = quantities[axis] === 'hardness' && /^[\d.,/]+$/.test(name);
+      if (axis < 0 || isLoad) continue;
       if (name && inJobUnits(1, name, quantities[axis], units) === undefined)
         return refuse(name, `is no unit known here for column ${k + 1}`);
       if (name && named[axis] && named[axis] !== name)

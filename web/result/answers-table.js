@@ -4,17 +4,15 @@ import { h, svg } from '../lib/dom.js';
 import { symbol } from '../setup/entry.js';
 import { inWords } from '../setup/words.js';
 import {
+  MARKS,
   alike,
   answersOf,
   differenceWords,
   elasticWords,
   errorWords,
-  markOf,
   placeWords,
-  sentenceOf,
   unitOf,
   valueOf,
-  verdictOf,
 } from './answers.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
@@ -33,37 +31,31 @@ export function swatch({ colour, dash }) {
 
 /** @param {Beside} side @param {boolean} named whether jobs are compared */
 export function verdict({ one, at, label }, named) {
-  const found = verdictOf(one.report.steps[at]);
-  if (!found) return null;
-  const { kind, mark } = markOf(found);
+  const { level, mark, text } = one.report.steps[at].verdict;
   return h(
     'p',
-    { class: `verdict-text ${kind}`, 'data-level': found.level },
-    h('span', { class: 'mark', 'aria-hidden': 'true' }, mark),
-    h(
-      'span',
-      {},
-      named ? [swatch(one), h('b', {}, `${label}: `)] : null,
-      symbol(sentenceOf(one.report.steps[at], one.report)),
-    ),
+    { class: `verdict-text ${mark}`, 'data-level': level },
+    h('span', { class: 'mark', 'aria-hidden': 'true' }, MARKS[mark]),
+    h('span', {}, named ? [swatch(one), h('b', {}, `${label}: `)] : null, symbol(text)),
   );
 }
 
-/** Below the word “error”. @param {import('./answers.js').Answer} answer */
-const barOf = (answer) =>
-  answer.value !== null && answer.error === null ? 'not known' : errorWords(answer);
+/** Why its error is not bounded, where nothing else is said of it. @param {import('./answers.js').Answer} answer */
+const whyOf = ({ value, reason, at_least: least, at_most: most }) =>
+  value === null || !reason || least !== undefined || most !== undefined
+    ? ''
+    : `no bound: ${inWords(reason)}`;
 
 /**
- * All answers of one step: how well each is known, what elastic theory says, where it is, and those
+ * The answers of one step: how well each is known, what elastic theory says, where it is, and those
  * of the other jobs with their error and difference.
  * @param {Beside[]} sides
+ * @param {boolean} whole whether details are among them
  */
-export function answersTable(sides) {
+export function answersTable(sides, whole) {
   const [{ one, at }, ...others] = sides;
   const step = one.report.steps[at];
-  const all = answersOf(step);
-  if (all.length === 0)
-    return h('p', { class: 'quiet' }, 'The figures of this step are in the table of all steps.');
+  const all = answersOf(one.report, at, whole);
   const notes = others.length === 0;
   const hasElastic = notes && all.some((answer) => elasticWords(answer));
   const rows = all.map((answer, k) =>
@@ -73,22 +65,26 @@ export function answersTable(sides) {
       h('th', { scope: 'row' }, symbol(answer.label)),
       h('td', {}, valueOf(answer)),
       h('td', { class: 'unit' }, unitOf(answer)),
-      h('td', {}, barOf(answer)),
+      h('td', {}, errorWords(answer)),
       hasElastic && h('td', {}, elasticWords(answer)),
       notes &&
         h(
           'td',
           { class: 'text' },
           symbol(
-            [placeWords(answer, one.report, step), inWords(answer.text)]
-              .filter(Boolean)
+            [
+              placeWords(answer, one.report, step),
+              inWords(answer.text),
+              whole ? whyOf(answer) : '',
+            ]
+              .filter((text) => text && text !== errorWords(answer))
               .join('; '),
           ),
         ),
       others.flatMap(({ one, at }) => {
         const other = alike(one.report, at, all, k);
         return other
-          ? [valueOf(other), barOf(other), differenceWords(answer, other)].map((text) =>
+          ? [valueOf(other), errorWords(other), differenceWords(answer, other)].map((text) =>
               h('td', {}, text),
             )
           : [h('td', {}, '—'), h('td'), h('td')];

@@ -6,55 +6,25 @@
 import { figure, percent, plain, unit } from '../lib/units.js';
 import { digitsOf, figureOf } from '../lib/digits.js';
 import { axesOf } from './axes.js';
+import { boundOf, valueIn, widthIn } from './rows.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
 /** @typedef {import('../wire.js').Answer} Answer */
-/** @typedef {import('../wire.js').Verdict} Verdict */
 
-/** @param {Step} step @returns {Answer[]} none of results that 0.2 has stored */
-export const answersOf = ({ answers }) => answers ?? [];
-
-/** @param {Step} step @returns {Verdict | undefined} */
-export const verdictOf = ({ verdict }) => verdict;
-
-/**
- * The sentence of a step. A figure that is an answer has the digits of its tile, which its error
- * leaves; the service writes three or five. Behind a depth stands where it is along the surface.
- * @param {Step} step @param {Report} report @returns {string}
- */
-export function sentenceOf(step, report) {
-  const { verdict, answers = [] } = step;
-  const isOf = (/** @type {Answer} */ { value, ...one }, /** @type {number} */ said) =>
-    value !== null &&
-    [3, 5].some((digits) => Number((value * shareOf(one)).toPrecision(digits)) === said);
-  const place = answers.find(({ name }) => name === 'max_plastic_strain')?.place;
-  const along = place ? alongWords(place, report, step) : '';
-  return (verdict?.text ?? '')
-    .replace(FIGURE, (_, said, error, unit) => {
-      const figure = Number(said);
-      const answer = answers.find((one) => unitOf(one) === unit && isOf(one, figure));
-      if (answer && error) return `${valueOf(answer)} ${errorWords(answer)}`;
-      return `${answer ? valueOf(answer) : plain(figure)} ${error ?? ''}${unit}`;
-    })
-    .replace(/ deep\b/, (deep) => (along ? `${deep} at ${along}` : deep));
+/** Those of the whole job, then those of a step. @param {Report} report @param {number} at step @param {boolean} [whole] whether details are behind them @returns {Answer[]} */
+export function answersOf({ answers = [], steps }, at, whole = false) {
+  const all = [...answers, ...steps[at].answers];
+  const first = all.filter(({ detail }) => !detail);
+  return whole ? [...first, ...all.filter(({ detail }) => detail)] : first;
 }
 
-/** A figure of a sentence, its error where it has one, and the word behind it, which may be its unit. */
-const FIGURE = /(?<![\d.])(\d[\d.]*(?:e-?\d+)?) (± \S+ )?([^\s,;)]*[^\s,;).])/g;
+/** Marks of verdicts. @type {Record<import('../wire.js').Mark, string>} */
+export const MARKS = { good: '✓', attention: '!', bad: '✕', unknown: 'i' };
 
-/** Answers that a sentence is about, the one that decides before the others. */
-const GOVERNING = ['residual_tension', 'max_plastic_strain', 'utilization', 'peak_pressure'];
-
-/**
- * The answer whose place pictures open at: what the load has left, else where bodies yield, else
- * where they come nearest to it.
- * @param {Step} step @returns {Answer | undefined}
- */
-export const governing = ({ answers = [] }) =>
-  GOVERNING.map((name) => answers.find((one) => one.name === name && one.place && one.value)).find(
-    (one) => one !== undefined,
-  );
+/** The answer that decides, at whose place pictures open. @param {Step} step @returns {Answer | undefined} */
+export const governing = ({ verdict, answers }) =>
+  answers.find(({ name, body }) => name === verdict.figure && body === verdict.body);
 
 /** Part of a semi-axis within which a place is the middle. */
 const MIDDLE = 0.1;
@@ -69,29 +39,10 @@ export const through = (step) => alongOf(governing(step)?.place, step);
  * A place along the surface, in the axes of the contact; near the middle it is 0.
  * @param {Answer['place'] | undefined} place @param {Step} step @returns {{x: number, y: number}}
  */
-function alongOf(place, { contact, three_dimensional: whole }) {
-  return {
-    x: orMiddle(place?.x ?? 0, whole?.a ?? contact.half_width),
-    y: orMiddle(place?.y ?? 0, whole?.b ?? 0),
-  };
-}
-
-/** Marks of verdicts, and what they are beside their colour. @type {Record<string, {kind: 'good' | 'warning' | 'bad', mark: string}>} */
-const LEVELS = {
-  elastic: { kind: 'good', mark: '✓' },
-  yields: { kind: 'warning', mark: '!' },
-  dented: { kind: 'warning', mark: '!' },
-  above_shakedown_limit: { kind: 'warning', mark: '!' },
-  shakes_down: { kind: 'good', mark: '✓' },
-  closed_cycle: { kind: 'warning', mark: '!' },
-  ratchets: { kind: 'bad', mark: '✕' },
-  collapse: { kind: 'bad', mark: '✕' },
-  not_converged: { kind: 'bad', mark: '✕' },
-};
-
-/** @param {Verdict} verdict @returns {{kind: string, mark: string}} those of a level that is not known here are neutral */
-export const markOf = ({ level }) =>
-  (Object.hasOwn(LEVELS, level) && LEVELS[level]) || { kind: 'neutral', mark: 'i' };
+const alongOf = (place, step) => ({
+  x: orMiddle(place?.x ?? 0, widthIn(step)),
+  y: orMiddle(place?.y ?? 0, valueIn(step, 'semi_axis_b') ?? 0),
+});
 
 /** Whether it is a strain or a share, which is shown in per cent. @param {Pick<Answer, 'quantity'>} answer */
 const isShare = ({ quantity }) => quantity === 'strain' || quantity === 'ratio';
@@ -103,44 +54,38 @@ export const shareOf = (answer) => (isShare(answer) ? 100 : 1);
 export const unitOf = (answer) =>
   answer.value === null ? '' : isShare(answer) ? '%' : answer.unit;
 
-/** What an answer says, with the digits that its error leaves. @param {Answer} answer @returns {string} */
-export const valueOf = (answer) =>
-  answer.value === null
-    ? '—'
-    : isNoise(answer)
-      ? '0'
-      : figureOf(answer.value * shareOf(answer), answer.error);
-
-/** Whether the error is larger than the figure. @param {Answer} answer */
-const isNoise = ({ error }) => error !== null && error > 1;
-
-/**
- * A figure of a step as its tile has it, with its unit.
- * @param {Step} step @param {string} name @param {number} value of results without answers @param {string} unit
- */
-export function toldOf({ answers = [] }, name, value, unit) {
-  const found = answers.find((one) => one.name === name);
-  return found ? `${valueOf(found)} ${unitOf(found)}` : `${figure(value, 3)} ${unit}`;
+/** What an answer says, with the digits that its error leaves; of one that is bounded alone its bound. @param {Answer} answer @returns {string} */
+export function valueOf(answer) {
+  const { value, at_least: least, at_most: most } = answer;
+  if (value === null) return '—';
+  const [share, error] = [shareOf(answer), boundOf(answer)];
+  return most !== undefined && least === undefined
+    ? `${value < 0 ? '±' : '≤'} ${figure(most * share, 2)}`
+    : figureOf(value * share, error);
 }
 
 /** How well it is known: of a share as one, else as a part of it. @param {Answer} answer @returns {number | null} */
-export const errorOf = (answer) =>
-  answer.error === null || answer.value === null
-    ? null
-    : isShare(answer)
-      ? answer.error * Math.abs(answer.value)
-      : answer.error;
+export function errorOf(answer) {
+  const bound = answer.value === null ? null : boundOf(answer);
+  return bound !== null && isShare(answer) ? bound * Math.abs(answer.value ?? 0) : bound;
+}
 
 /** @param {Answer} answer @returns {string} */
 export function errorWords(answer) {
-  const { value, error, quantity } = answer;
+  const { value, error, at_least: least, at_most: most } = answer;
   if (value === null) return '';
-  if (error === null) return 'error not known';
-  if (error === 0) return quantity === 'number' || value === 0 ? '' : 'as given';
-  if (isNoise(answer))
-    return `± ${figure(error * Math.abs(value) * shareOf(answer), 1)} ${unitOf(answer)}`;
-  return `± ${percent(errorOf(answer) ?? 0)}`;
+  if (typeof error === 'number') return `± ${percent(errorOf(answer) ?? 0)}`;
+  if (least === undefined) return error.replace('_', ' ');
+  return most === undefined
+    ? `at least ${plain(least * shareOf(answer), 3)} ${unitOf(answer)}`.trim()
+    : `± ${figure(((most - least) / 2) * shareOf(answer), 2)} ${unitOf(answer)}`.trim();
 }
+
+/** A figure with its unit. @param {Answer | undefined} answer */
+export const toldOf = (answer) => (answer ? `${valueOf(answer)} ${unitOf(answer)}`.trim() : '—');
+
+/** A figure with its unit and its error. @param {Answer} answer */
+export const wholeOf = (answer) => [toldOf(answer), errorWords(answer)].filter(Boolean).join(' ');
 
 /** The same figure by elastic theory. @param {Answer} answer @returns {string} */
 export const elasticWords = (answer) =>
@@ -149,41 +94,28 @@ export const elasticWords = (answer) =>
     : '';
 
 /**
- * Where along the surface a place is, in the axes of the sketch.
- * @param {NonNullable<Answer['place']>} place @param {Report} report @param {Step} step
- * @returns {string} empty in the middle
- */
-function alongWords(place, { units, analysis }, step) {
-  const round = analysis === 'axisymmetric' ? 'r' : 'x';
-  const { three_dimensional: ellipse } = step;
-  const axes = ellipse
-    ? axesOf(ellipse)
-    : { x: { name: round, sign: 1 }, y: { name: 'y', sign: 1 } };
-  const along = alongOf(place, step);
-  return /** @type {const} */ (['x', 'y'])
-    .filter((axis) => along[axis] !== 0)
-    .map((axis) => {
-      const { name, sign } = axes[axis];
-      return `${name} ${figure(sign * along[axis], 3)} ${unit('length', units)}`;
-    })
-    .sort()
-    .join(', ');
-}
-
-/**
  * Where it is, in the axes of the sketch.
  * @param {Answer} answer
  * @param {Report} report
  * @param {Step} step
  * @returns {string}
  */
-export function placeWords({ place, label }, report, step) {
+export function placeWords({ place, label }, { units, analysis }, step) {
   if (!place) return '';
-  const at = alongWords(place, report, step);
+  const length = unit('length', units);
+  const [axes, along] = [axesOf(step), alongOf(place, step)];
+  const at = /** @type {const} */ (['x', 'y'])
+    .filter((axis) => along[axis] !== 0)
+    .map((axis) => {
+      const { name, sign } = axes[axis];
+      return `${analysis === 'axisymmetric' ? 'r' : name} ${figure(sign * along[axis], 3)} ${length}`;
+    })
+    .sort()
+    .join(', ');
   const named = label.toLowerCase().includes(place.body) || place.depth === 0;
   return [
     named ? '' : place.body === 'both' ? 'both bodies' : `${place.body} body`,
-    place.depth > 0 ? `${figure(place.depth, 3)} ${unit('length', report.units)} deep` : '',
+    place.depth > 0 ? `${figure(place.depth, 3)} ${length} deep` : '',
     at && `at ${at}`,
   ]
     .filter(Boolean)
@@ -201,7 +133,7 @@ export function placeWords({ place, label }, report, step) {
 export function alike(report, at, all, k) {
   const same = (/** @type {Answer} */ one) => one.name === all[k].name && one.body === all[k].body;
   const before = all.slice(0, k).filter(same).length;
-  const others = answersOf(report.steps[at]);
+  const others = answersOf(report, at, true);
   return others.filter(same)[before] ?? others.filter(({ name }) => name === all[k].name)[before];
 }
 

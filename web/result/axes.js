@@ -3,14 +3,19 @@
  * shorter semi-axis, and every picture has the x and y of the sketch.
  */
 
+import { valueIn } from './rows.js';
+
 /** @typedef {{name: string, sign: 1 | -1}} Along an axis of the job, and whether it runs the same way */
 /** @typedef {{x: Along, y: Along, words: string}} Axes of the contact; `words`: how they lie where they are none of the job's */
 
 /** Degrees by which an axis may be off. */
 const SLACK = 0.5;
 
-/** @param {{orientation: number}} ellipse angle from the job's x to the contact's [degree] @returns {Axes} */
-export function axesOf({ orientation }) {
+/** @param {import('./rows.js').Rows} step @returns {Axes} those of the job but in three dimensions */
+export const axesOf = (step) => axesAt(valueIn(step, 'orientation') ?? 0);
+
+/** @param {number} orientation angle from the job's x to the contact's [degree] @returns {Axes} */
+export function axesAt(orientation) {
   const angle = ((((orientation + 180) % 360) + 360) % 360) - 180;
   const near = (/** @type {number} */ other) => Math.abs(angle - other) < SLACK;
   /** @param {string} x @param {1 | -1} one @param {string} y @param {1 | -1} other @returns {Axes} */

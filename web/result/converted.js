@@ -25,14 +25,16 @@ export const QUANTITIES = Object.fromEntries(
  * Parts without units: relative errors, times, meshes whose figures are converted where they are
  * read.
  */
-export const LEFT = new Set([
-  'estimated_error',
-  'timings_ms',
-  'fields',
-  'tags',
-  'validity',
-  'verdict',
-]);
+export const LEFT = new Set(['timings_ms', 'fields', 'tags', 'validity', 'verdict']);
+
+/** What a row has in its unit. */
+const AMOUNTS = ['value', 'elastic', 'at_least', 'at_most'];
+
+/** Members that are numbers, multiplied. @param {Record<string, any>} of @param {string[]} names @param {number} times */
+const scaled = (of, names, times) =>
+  Object.fromEntries(
+    names.flatMap((name) => (typeof of[name] === 'number' ? [[name, of[name] * times]] : [])),
+  );
 
 /**
  * A result in other units.
@@ -58,36 +60,42 @@ export function inUnits(value, of, set) {
     if (typeof part === 'number') return part * times(key);
     if (Array.isArray(part)) return part.map((one) => walk(one, key));
     if (part === null || typeof part !== 'object') return part;
-    // An answer says what it is.
-    if (key === 'answers') {
-      const { quantity, value, elastic, place } = part;
-      // What has no unit that is chosen stays as it is.
-      const times =
-        quantity === 'ratio' || quantity === 'angle' ? 1 : factor(quantity, of.units, set);
-      const [shown, beside] = [value, elastic].map((one) => (one === null ? null : one * times));
-      const length = factor('length', of.units, set);
-      const moved =
-        place &&
-        Object.fromEntries(
-          Object.entries(place).map(([name, at]) => [
-            name,
-            typeof at === 'number' ? at * length : at,
-          ]),
-        );
-      const name = unit(quantity, set) || part.unit;
-      return { ...part, value: shown, elastic: beside, place: moved, unit: name };
-    }
-    // The figure that a force was looked for: its name says what it is.
-    if (key === 'target') {
-      const [wanted, reached] = [part.wanted, part.reached].map(
-        (value) => value * times(part.figure),
-      );
-      return { ...part, wanted, reached, force: part.force * times('force') };
-    }
+    // A row says what it is.
+    if (key === 'answers')
+      return {
+        ...part,
+        ...scaled(part, AMOUNTS, factor(part.quantity, of.units, set)),
+        place: part.place && {
+          ...part.place,
+          ...scaled(part.place, ['x', 'y', 'depth'], factor('length', of.units, set)),
+        },
+        unit: unit(part.quantity, set) || part.unit,
+      };
     return Object.fromEntries(
-      Object.entries(part).map(([name, one]) => [name, LEFT.has(name) ? one : walk(one, name)]),
+      Object.entries(part).map(([name, one]) => [
+        name,
+        LEFT.has(name)
+          ? one
+          : name === 'passes' && part.answers
+            ? coursesOf(one, part.answers)
+            : walk(one, name),
+      ]),
     );
   };
+  /** The figures of a pass are those of rows. @param {any} passes @param {import('../wire.js').Answer[]} rows @returns {any} */
+  const coursesOf = (passes, rows) =>
+    Object.fromEntries(
+      Object.entries(passes).map(([name, courses]) => {
+        const row = rows.find((one) => one.name === name);
+        if (Array.isArray(courses)) return [name, courses];
+        if (!row) return [name, coursesOf(courses, rows)];
+        const times = factor(/** @type {Quantity} */ (row.quantity), of.units, set);
+        return [
+          name,
+          { ...courses, value: courses.value.map((/** @type {number} */ one) => one * times) },
+        ];
+      }),
+    );
   return ['length', 'stress', 'force', 'per'].every(
     (key) =>
       setOf(of.units)[/** @type {keyof UnitSet} */ (key)] ===

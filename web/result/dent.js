@@ -1,9 +1,11 @@
 /** The chart of both surfaces: a dent where the force is zero. */
 
-import { figure, unit } from '../lib/units.js';
+import { unit } from '../lib/units.js';
+import { toldOf } from './answers.js';
 import { Chart } from './chart.js';
 import { abscissaOf } from './extent.js';
 import { Panel } from './panel.js';
+import { forceIn } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 
@@ -21,13 +23,13 @@ export class DentPanel {
   show(shown, at) {
     const [{ report }] = shown;
     const step = report.steps[at];
-    const { flow } = step;
-    this.panel.show(Boolean(flow));
-    if (!flow) return;
+    const { surfaces } = step;
+    this.panel.show(Boolean(surfaces));
+    if (!surfaces) return;
     const length = unit('length', report.units);
     const round = report.analysis === 'axisymmetric';
     const bodies = /** @type {const} */ (['lower', 'upper']).flatMap((name) => {
-      const surface = flow.surfaces[name];
+      const surface = surfaces[name];
       return surface ? [{ name, surface }] : [];
     });
     this.chart.show({
@@ -42,9 +44,10 @@ export class DentPanel {
         dash: name === 'upper' ? [7, 3] : undefined,
       })),
       marks: [{ across: 'y', at: 0, text: 'undeformed' }],
-      words: `${step.contact.force === 0 ? 'Residual' : 'Loaded'} height of the surfaces: ${bodies
-        .map(({ name, surface }) => `${name} body ${figure(surface.depth, 4)} ${length} deep`)
-        .join(', ')}.`,
+      words: `${forceIn(step) === 0 ? 'Residual' : 'Loaded'} height of the surfaces: ${step.answers
+        .filter(({ name }) => name === 'dent_depth' || name === 'surface_depth')
+        .map((row) => `${row.label} ${toldOf(row)}`)
+        .join('; ')}.`,
     });
   }
 }

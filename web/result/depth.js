@@ -15,6 +15,7 @@ import { elasticStresses } from './elastic.js';
 import { abscissaOf } from './extent.js';
 import { beside, isDented, isResidual } from './loads.js';
 import { Panel, segments } from './panel.js';
+import { hertzIn, peakIn, valueIn, widthIn } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 /**
@@ -70,11 +71,13 @@ function caseDepth(job, body, units) {
  * @param {import('../types.js').Profile | null | undefined} profile
  */
 function belowWords(step, report, profile) {
-  const at = profile?.position ?? step.contact.peak_position;
-  const { three_dimensional: whole } = step;
-  if (whole) {
-    const axes = axesOf(whole);
-    const [x, y] = [orMiddle(at, whole.a), orMiddle(profile?.position_y ?? 0, whole.b)];
+  const [at, aside] = profile?.position ?? [peakIn(step)];
+  if (aside !== undefined) {
+    const axes = axesOf(step);
+    const [x, y] = [
+      orMiddle(at, widthIn(step)),
+      orMiddle(aside, valueIn(step, 'semi_axis_b') ?? 0),
+    ];
     const places = [`${axes.x.name} = ${figure(axes.x.sign * x || 0, 3)}`];
     if (y) places.push(`${axes.y.name} = ${figure(axes.y.sign * y, 3)}`);
     return `at ${places.join(', ')}${x || y ? ` ${unit('length', report.units)}` : ''}`;
@@ -87,7 +90,7 @@ function belowWords(step, report, profile) {
 }
 
 /** Largest half-width of all steps. @param {Shown} shown */
-const widest = ({ report }) => Math.max(...report.steps.map(({ contact }) => contact.half_width));
+const widest = ({ report }) => Math.max(...report.steps.map(widthIn));
 
 /** @param {Component} component @param {string} analysis */
 const nameOf = (component, analysis) =>
@@ -194,12 +197,15 @@ export class DepthPanel {
   }
 
   /** Opens at the body and the line that are nearest to what the sentence is about. @param {import('../types.js').Step} step */
-  #aim({ subsurface: middle, subsurface_below_peak: peak, ...step }) {
-    const place = governing(/** @type {any} */ (step))?.place;
+  #aim(step) {
+    const { subsurface: middle, subsurface_below_peak: peak } = step;
+    const place = governing(step)?.place;
     if (!place) return;
     this.#body = place.body === 'upper' ? 'upper' : 'lower';
-    const far = (/** @type {import('../types.js').Profile | null | undefined} */ line) =>
-      Math.hypot(place.x - (line?.position ?? 0), (place.y ?? 0) - (line?.position_y ?? 0));
+    const far = (/** @type {import('../types.js').Profile | null | undefined} */ line) => {
+      const [x = 0, y = 0] = line?.position ?? [];
+      return Math.hypot(place.x - x, (place.y ?? 0) - y);
+    };
     const nearer = peak && far(peak[this.#body]) < far(middle?.[this.#body]);
     this.#line = nearer ? 'subsurface_below_peak' : 'subsurface';
     for (const [choice, value] of /** @type {const} */ ([
@@ -266,14 +272,7 @@ export class DepthPanel {
     const [stress, length] = [unit('stress', units), unit('length', units)];
     // Ellipses have no closed form here.
     const isClosed = first.report.analysis !== 'three_dimensional' && !this.#isBeside(step);
-    if (
-      shown.length === 1 &&
-      profile &&
-      step.hertz &&
-      step.hertz.half_width > 0 &&
-      isClosed &&
-      !step.rolling
-    )
+    if (shown.length === 1 && profile && hertzIn(step) && isClosed && !step.passes)
       curves.push(...this.#elastic(first, at, profile.depth));
     this.chart.show({
       x: `depth ${alike ? below : 'at places of their own'}  [${length}]`,
@@ -285,7 +284,7 @@ export class DepthPanel {
         : undefined,
       curves,
       // Where the load is taken away, the zone is as wide as under the largest one.
-      range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
+      range: [0, 4 * (widthIn(step) || widest(first)) || 1],
       marks: [
         ...this.#strengths(shown),
         ...(shown.length === 1 ? this.#case(first, profile) : []),
@@ -351,7 +350,7 @@ export class DepthPanel {
    * @returns {import('./chart-svg.js').Curve[]}
    */
   #elastic({ job, report }, at, depths) {
-    const { hertz } = report.steps[at];
+    const hertz = hertzIn(report.steps[at]);
     if (!hertz) return [];
     const ratio = Number(job[this.#body]?.material?.poisson_ratio);
     const before = hasInitialStress(job[this.#body]?.material);

@@ -74,11 +74,11 @@ function files(id, job, report, at) {
   const step = report.steps[0];
   const there = {
     nothing: true,
-    fields: fields && step?.rolling === undefined,
+    fields: fields && step?.passes === undefined,
     layers: fields && report.analysis === 'three_dimensional',
     subsurface: step?.subsurface !== undefined,
-    flow: step?.flow !== undefined,
-    rolling: step?.rolling !== undefined,
+    flow: step?.increments !== undefined,
+    rolling: step?.passes !== undefined,
     curve: Boolean(report.load_approach),
   };
   return FILES.filter(([, , , needs]) => there[needs]).map(([name, path, file]) => {

@@ -1,5 +1,7 @@
 /** Where a contact lies along the surface. */
 
+import { rowOf } from './rows.js';
+
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {{left: number, right: number}} Extent */
 
@@ -48,5 +50,5 @@ export function rangeAround(extents, round) {
 }
 
 /** What places along the surface are called. @param {Step} step @param {boolean} round */
-export const abscissaOf = ({ contact: { half_angle: angle } }, round) =>
-  angle === undefined ? (round ? 'r' : 'x') : 'along the arc';
+export const abscissaOf = (step, round) =>
+  rowOf(step, 'half_angle') ? 'along the arc' : round ? 'r' : 'x';

@@ -5,40 +5,56 @@ import { browser } from '../lib/kept.js';
 import { endingAtErrors, toCsv, toLatex, toMarkdown, toTsv } from '../lib/tabular.js';
 import { save } from './downloads.js';
 import { Panel } from './panel.js';
-import { STEP_FIGURES, errorOf, titleOf, valueOf } from './step-figures.js';
+import { lowered } from '../setup/field.js';
+import { errorOf, shareOf, unitOf } from './answers.js';
+import { APPROACH, WIDTH, rowOf } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
 /** @param {Step} step */
 const stateOf = ({ status }) => status.replaceAll('_', ' ');
 
+/** Names of the columns. */
+const COLUMNS = [
+  ['force'],
+  APPROACH,
+  ['peak_pressure'],
+  WIDTH,
+  ['mean_pressure'],
+  ['max_plastic_strain'],
+  ['contact_stiffness'],
+];
+
+/** What its curve and its column are called. @param {import('../wire.js').Answer} row */
+export const titleOf = ({ label }) => lowered(label.split(',')[0]);
+
 /**
  * @param {Shown[]} shown in the same units
  * @returns {import('../lib/tabular.js').Table}
  */
 export function figuresTable(shown) {
-  const [{ report }] = shown;
   const several = shown.length > 1;
   const all = shown.flatMap(({ report }) => report.steps);
-  const figures = /** @type {import('./step-figures.js').StepFigure[]} */ (
-    Object.values(STEP_FIGURES)
-  )
-    .filter((one) => all.some((step) => valueOf(step, one) !== null))
-    .map((one) => {
-      const errors = all.map((step) => errorOf(step, one));
-      return { ...one, barred: errors.some(Boolean), exact: errors.every((error) => error === 0) };
-    });
+  const figures = COLUMNS.flatMap((names) => {
+    const rows = all
+      .map((step) => rowOf(step, ...names))
+      .filter((row) => row && row.value !== null);
+    const errors = rows.map((row) => row && errorOf(row));
+    const [row] = rows;
+    const [barred, exact] = [errors.some(Boolean), errors.every((error) => error === 0)];
+    return row ? [{ names, row, barred, exact }] : [];
+  });
   // A state that is not the usual one stands where it is seen.
   const amiss = all.some(({ status }) => status !== 'converged');
   const columns = [
     ...(several ? [{ title: 'job' }] : []),
     { title: 'step' },
     ...(amiss ? [{ title: 'state' }] : []),
-    ...figures.flatMap((one) => {
-      const title = one.short ?? titleOf(one, report);
+    ...figures.flatMap(({ row, barred, exact }) => {
+      const title = titleOf(row);
       return [
-        { title, unit: one.unit(report), exact: one.exact },
-        ...(one.barred ? [{ title: '±', of: title, unit: '%' }] : []),
+        { title, unit: unitOf(row), exact },
+        ...(barred ? [{ title: '±', of: title, unit: '%' }] : []),
       ];
     }),
     ...(amiss ? [] : [{ title: 'state' }]),
@@ -48,13 +64,7 @@ export function figuresTable(shown) {
       ...(several ? [label] : []),
       k + 1,
       ...(amiss ? [stateOf(step)] : []),
-      ...figures.flatMap((one) => {
-        const cell = valueOf(step, one);
-        const error = errorOf(step, one);
-        // Of a share as one, of others as a part of them.
-        const whole = one.unit(report) === '%' ? Math.abs(cell ?? 0) : 100;
-        return [cell, ...(one.barred ? [error == null ? null : whole * error] : [])];
-      }),
+      ...figures.flatMap(({ names, barred }) => cellsOf(rowOf(step, ...names), barred)),
       ...(amiss ? [] : [stateOf(step)]),
     ]),
   );
@@ -63,6 +73,16 @@ export function figuresTable(shown) {
   const write = (cell, k, row) =>
     columns[k].title === 'step' ? String(cell) : errors(cell, k, row);
   return { columns, rows, write };
+}
+
+/**
+ * A figure and its error in a table: of a share as one, of others as a part of them.
+ * @param {import('../wire.js').Answer | undefined} row @param {boolean} barred
+ */
+export function cellsOf(row, barred) {
+  const value = row?.value == null ? null : row.value * shareOf(row);
+  const error = row ? errorOf(row) : null;
+  return [value, ...(barred ? [error === null ? null : 100 * error] : [])];
 }
 
 const KEPT = 'csv';

@@ -17,7 +17,7 @@ import {
   errorWords,
   unitOf,
   valueOf,
-  verdictOf,
+  wholeOf,
 } from './answers.js';
 import { answersTable, swatch, verdict } from './answers-table.js';
 import { beside, endedEarly } from './loads.js';
@@ -35,7 +35,7 @@ import { beside, endedEarly } from './loads.js';
 export function showHeadline(shown, at, next, solve) {
   const sides = beside(shown, at);
   const [{ report }] = shown;
-  const all = answersOf(report.steps[at]);
+  const all = answersOf(report, at);
   const tiles = h(
     'dl',
     { class: 'figures' },
@@ -54,22 +54,16 @@ export function showHeadline(shown, at, next, solve) {
         ),
     ),
     ...(all.length
-      ? [tiles, h('div', { class: 'rest' }, allFigures(all.length, sides))]
-      : [
-          h(
-            'p',
-            { class: 'quiet older' },
-            verdictOf(report.steps[at])
-              ? 'This step is not an answer.'
-              : 'Of an older result: its figures are in the table below.',
-          ),
-        ]),
+      ? [tiles, h('div', { class: 'rest' }, allFigures(sides))]
+      : [h('p', { class: 'quiet' }, 'This step is not an answer.')]),
     remarks(sides),
   );
 }
 
-/** The table of all answers, made when it is looked at. @param {number} many @param {Beside[]} sides */
-function allFigures(many, sides) {
+/** The table of all answers, made when it is looked at. @param {Beside[]} sides */
+function allFigures(sides) {
+  const [{ one, at }] = sides;
+  const { length: many } = answersOf(one.report, at, true);
   const place = h('div', {
     class: 'scroll',
     tabindex: 0,
@@ -78,7 +72,7 @@ function allFigures(many, sides) {
   });
   const words = [`All ${many} figures, where they are and how they are counted`];
   const element = fold('answers', false, words, place);
-  const look = () => element.open && place.replaceChildren(answersTable(sides));
+  const look = () => element.open && place.replaceChildren(answersTable(sides, true));
   element.addEventListener('toggle', look);
   look();
   return element;
@@ -124,11 +118,7 @@ const compared = (answer, all, k, sides) =>
         'li',
         { title: label },
         swatch(one),
-        h(
-          'span',
-          {},
-          other ? `${valueOf(other)} ${unitOf(other)} ${errorWords(other)}`.trim() : '—',
-        ),
+        h('span', {}, other ? wholeOf(other) : '—'),
         other ? h('b', {}, differenceWords(answer, other)) : null,
       );
     }),
@@ -136,6 +126,9 @@ const compared = (answer, all, k, sides) =>
 
 /** The first sentence of a remark, then the others. @param {string} message */
 export const sentencesOf = (message) => inWords(message).split(/(?<=[a-z)%]\.)\s+(?=\p{Lu})/u);
+
+/** What to keep in mind of a job and of a step. @param {import('../types.js').Report} report @param {number} at */
+export const remarksOf = ({ validity = [], steps }, at) => [...validity, ...steps[at].validity];
 
 /** What to keep in mind of every job, and how the first was made. @param {Beside[]} sides */
 function remarks(sides) {
@@ -147,10 +140,7 @@ function remarks(sides) {
     ? h('li', { 'data-code': 'ended_early' }, h('b', {}, 'Ended early'), ` ${ended}`)
     : null;
   const all = sides.flatMap(({ one, at, label }) =>
-    one.report.steps[at].validity.map((remark) => ({
-      ...remark,
-      of: sides.length > 1 ? label : '',
-    })),
+    remarksOf(one.report, at).map((remark) => ({ ...remark, of: sides.length > 1 ? label : '' })),
   );
   const notes = all.map(({ code, message, of }) => {
     const [short, ...rest] = sentencesOf(message);
@@ -163,18 +153,17 @@ function remarks(sides) {
       rest.length ? fold(`remark-${of}${code}`, false, ['more'], symbol(rest.join(' '))) : null,
     );
   });
-  const bars =
-    step.estimated_error && step.status === 'converged'
-      ? h(
-          'li',
-          {},
-          h('b', { id: 'bars-of-error' }, 'Error bars'),
-          help('error_bar', 'Error bar', 'bars-of-error'),
-          step.rolling
-            ? ' Bounds of the error of the columns, not of the theory.'
-            : ' Bounds of the error of the mesh, by a second mesh of half the density; they held in at least 95 of 100 tested cases and say nothing of the figures put in.',
-        )
-      : null;
+  const bars = step.answers.some(({ error }) => typeof error === 'number')
+    ? h(
+        'li',
+        {},
+        h('b', { id: 'bars-of-error' }, 'Error bars'),
+        help('error_bar', 'Error bar', 'bars-of-error'),
+        step.passes
+          ? ' Bounds of the error of the columns, not of the theory.'
+          : ' Bounds of the error of the mesh, by a second mesh of half the density; they held in at least 95 of 100 tested cases and say nothing of the figures put in.',
+      )
+    : null;
   const { mesh, timings_ms: timings } = report;
   const many = report.steps.length > 1;
   const made = h(

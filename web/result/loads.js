@@ -4,6 +4,7 @@
  */
 
 import { figure, forceOf, unit } from '../lib/units.js';
+import { forceIn, hasYielded } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Report} Report */
@@ -52,14 +53,14 @@ export const endedEarly = (job, report) =>
     : '';
 
 /** Whether the stresses over depth are those that a load has left. @param {import('../types.js').Step} step */
-export const isResidual = (step) => isUnloaded(step) || step.rolling !== undefined;
+export const isResidual = (step) => isUnloaded(step) || step.passes !== undefined;
 
 /** Whether the load is taken away. @param {import('../types.js').Step} step */
-export const isUnloaded = ({ contact, flow }) => contact.force === 0 && flow !== undefined;
+export const isUnloaded = (step) => forceIn(step) === 0 && step.surfaces !== undefined;
 
 /** Load of a step with its unit. @param {Report} report @param {number} at */
 export const loadWords = (report, at) =>
-  `${figure(report.steps[at].contact.force, 4)} ${unit(forceOf(report), report.units)}`;
+  `${figure(forceIn(report.steps[at]), 4)} ${unit(forceOf(report), report.units)}`;
 
 /**
  * Whether a load before this one, at least as large, has dented the bodies: Hertz's theory tells
@@ -67,13 +68,7 @@ export const loadWords = (report, at) =>
  * @param {Report} report @param {number} at
  */
 export const isDented = ({ steps }, at) =>
-  steps
-    .slice(0, at)
-    .some(
-      ({ contact, plasticity }) =>
-        contact.force >= steps[at].contact.force &&
-        (plasticity.upper?.yielded || plasticity.lower?.yielded),
-    );
+  steps.slice(0, at).some((step) => forceIn(step) >= forceIn(steps[at]) && hasYielded(step));
 
 /** What figures by Hertz's theory are of. @param {Report} report @param {number} at */
 export const hertzName = (report, at) =>
@@ -87,14 +82,14 @@ export const hertzName = (report, at) =>
  * @returns {Beside[]}
  */
 export function beside(shown, at) {
-  const { force } = shown[0].report.steps[at].contact;
+  const force = forceIn(shown[0].report.steps[at]);
   const several = shown.some(({ report }) => report.steps.length > 1);
   return shown.map((one, k) => {
     const { steps } = one.report;
-    const alike = (/** @type {number} */ step) =>
-      Math.abs(steps[step]?.contact.force - force) <=
-      SAME * Math.max(Math.abs(force), Math.abs(steps[step]?.contact.force));
-    const found = alike(at) ? at : steps.findIndex((_, step) => alike(step));
+    const forces = steps.map(forceIn);
+    const alike = (/** @type {number} */ other) =>
+      Math.abs(other - force) <= SAME * Math.max(Math.abs(force), Math.abs(other));
+    const found = alike(forces[at]) ? at : forces.findIndex(alike);
     const step = k === 0 ? at : found >= 0 ? found : Math.min(at, steps.length - 1);
     const which = steps.length > 1 ? `, step ${step + 1} of ${steps.length}` : '';
     return {

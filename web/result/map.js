@@ -13,16 +13,17 @@ import { orMiddle } from './answers.js';
 import { axesOf, mapInJob } from './axes.js';
 import { Chart } from './chart.js';
 import { inUnits } from './converted.js';
-import { beside } from './loads.js';
+import { beside, isUnloaded } from './loads.js';
 import { Panel, segments } from './panel.js';
+import { rowOf, valueIn, widthIn } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
-/** @typedef {NonNullable<import('../types.js').Step['three_dimensional']>} Ellipse */
-/** @typedef {NonNullable<Ellipse['maps']>} Maps */
+/** @typedef {import('../wire.js').ContactMaps} Maps */
 /** @typedef {(name: string) => string} Colours of custom properties */
 /**
  * @typedef {object} Picture
- * @property {Ellipse} ellipse
+ * @property {{a: number, b: number}} semi axes of the contact
+ * @property {boolean} rough whether heights touch
  * @property {Maps} maps over x and y of the job, with a `dent` where a load has left one
  * @property {{x: string, y: string, words: string}} axes names of both, and how they lie
  * @property {{x: number, y: number} | undefined} hertz semi-axes along both
@@ -169,9 +170,9 @@ export class MapPanel {
   show(shown, at) {
     const turn = ++this.#turn;
     const [{ report, job }] = shown;
-    const ellipse = report.steps[at].three_dimensional;
-    this.panel.show(ellipse !== undefined);
-    const asked = Boolean(ellipse?.maps ?? job.output?.fields);
+    const { section, maps } = report.steps[at].contact;
+    this.panel.show(section !== undefined);
+    const asked = Boolean(maps ?? job.output?.fields);
     this.tools.hidden =
       this.stage.hidden =
       this.bar.hidden =
@@ -180,9 +181,9 @@ export class MapPanel {
         !asked;
     this.empty.hidden = asked;
     this.#pictures = [];
-    if (!ellipse || !asked) return;
+    if (!section || !asked) return;
     const sides = beside(shown, at).filter(
-      ({ one, at }) => one.report.steps[at].three_dimensional?.maps ?? one.job.output?.fields,
+      ({ one, at }) => one.report.steps[at].contact.maps ?? one.job.output?.fields,
     );
     this.readout.textContent = 'Loading the map…';
     Promise.all(sides.map(({ one, at, label }) => pictureOf(one, at, label))).then(
@@ -232,7 +233,7 @@ export class MapPanel {
   }
 
   /** Where the cuts meet. @param {Picture} picture @returns {[number, number]} */
-  #place({ maps, ellipse }) {
+  #place({ maps, semi, rough }) {
     const { x, y } = maps;
     const values = valuesOf(maps, this.#quantity);
     const within = (/** @type {number} */ at, /** @type {number[]} */ cells) =>
@@ -241,7 +242,7 @@ export class MapPanel {
     const most = this.#quantity === 'gap' ? -1 : values.indexOf(largest(values));
     if (most < 0) return [0, 0];
     const [px, py] = [x[Math.floor(most / y.length)], y[most % y.length]];
-    return ellipse.surface ? [px, py] : [orMiddle(px, ellipse.a), orMiddle(py, ellipse.b)];
+    return rough ? [px, py] : [orMiddle(px, semi.a), orMiddle(py, semi.b)];
   }
 
   /** Curves of all jobs through the place of the cuts. */
@@ -320,11 +321,11 @@ export class MapPanel {
     this.canvas.dataset.box = [frame.x0, frame.y0, frame.width, frame.height].join(' ');
     this.#paint(context, frame, picture, colour);
     performance.mark('field-drawn');
-    const { ellipse, units } = picture;
+    const { semi, units } = picture;
     const length = unit('length', units);
     this.canvas.setAttribute(
       'aria-label',
-      `Map of the ${QUANTITIES[this.#quantity].name.toLowerCase()} over a contact with the semi-axes ${figure(ellipse.a, 4)} and ${figure(ellipse.b, 4)} ${length}.`,
+      `Map of the ${QUANTITIES[this.#quantity].name.toLowerCase()} over a contact with the semi-axes ${figure(semi.a, 4)} and ${figure(semi.b, 4)} ${length}.`,
     );
   }
 
@@ -338,7 +339,7 @@ export class MapPanel {
   #read(left, top) {
     const picture = this.#picture;
     if (!picture) return;
-    const { ellipse, maps, units, axes } = picture;
+    const { hertz, maps, units, axes } = picture;
     const [length, stress] = [unit('length', units), unit('stress', units)];
     const [x, y] =
       left === undefined || top === undefined ? [NaN, NaN] : this.#frame.place(left, top);
@@ -347,7 +348,7 @@ export class MapPanel {
     const scales = this.#stretch ? ' The axes have scales of their own.' : '';
     this.readout.textContent = Number.isFinite(at('pressure'))
       ? `${axes.x} ${figure(x, 3)}, ${axes.y} ${figure(y, 3)} ${length}:  p ${figure(at('pressure'), 4)} ${stress} · gap ${figure(at('gap'), 3)} ${length}${dent}`
-      : `${axes.words && `${axes.words} `}${ellipse.hertz ? 'Dashed: Hertz, elastic. ' : ''}Click to cut there.${scales}`;
+      : `${axes.words && `${axes.words} `}${hertz ? 'Dashed: Hertz, elastic. ' : ''}Click to cut there.${scales}`;
   }
 
   /** Maps of all jobs, for the report. @returns {HTMLCanvasElement[]} */
@@ -437,26 +438,25 @@ function thin(bar) {
 
 /** @param {Shown} one @param {number} at @param {string} label @returns {Promise<Picture>} */
 async function pictureOf({ id, report, raw = report, colour, dash }, at, label) {
-  const step = raw.steps[at];
+  const step = report.steps[at];
   const maps =
-    step.three_dimensional?.maps ??
-    (await ask(`v1/jobs/${id}/result?fields=maps&step=${at + 1}`)).steps[0].three_dimensional.maps;
+    raw.steps[at].contact.maps ??
+    (await ask(`v1/jobs/${id}/result?fields=maps&step=${at + 1}`)).steps[0].contact.maps;
   const own = /** @type {import('../lib/units.js').Units} */ (raw.units);
-  const unloaded = step.contact.force === 0 && step.flow !== undefined;
   const converted = inUnits(
-    { ...maps, dent: unloaded ? maps.dent : undefined },
+    { ...maps, dent: isUnloaded(step) ? maps.dent : undefined },
     { analysis: raw.analysis, units: own },
     setOf(report.units),
   );
-  const ellipse = /** @type {Ellipse} */ (report.steps[at].three_dimensional);
-  const { x, y, words } = axesOf(ellipse);
+  const { x, y, words } = axesOf(step);
   const turned = x.name === 'y';
-  const { a = 0, b = 0 } = ellipse.hertz ?? {};
+  const [a, b] = ['semi_axis_a', 'semi_axis_b'].map((name) => rowOf(step, name)?.elastic);
   return {
-    ellipse,
+    semi: { a: widthIn(step), b: valueIn(step, 'semi_axis_b') ?? 0 },
+    rough: step.contact.quantiles !== undefined,
     maps: mapInJob(converted, { x, y, words }),
     axes: turned ? { x: 'x', y: 'y', words } : { x: x.name, y: y.name, words },
-    hertz: ellipse.hertz && (turned ? { x: b, y: a } : { x: a, y: b }),
+    hertz: a && b ? (turned ? { x: b, y: a } : { x: a, y: b }) : undefined,
     units: report.units,
     label,
     colour,
@@ -477,7 +477,7 @@ const valuesOf = (maps, quantity) => maps[quantity] ?? maps.gap;
  */
 class Frame {
   /** @param {number} width @param {number} height @param {Picture} picture @param {boolean} stretch whether it fills its place */
-  constructor(width, height, { ellipse, maps, hertz, axes, units }, stretch) {
+  constructor(width, height, { rough, maps, hertz, axes, units }, stretch) {
     const rows = maps.x.map((_, i) =>
       maps.pressure.slice(i * maps.y.length, (i + 1) * maps.y.length).some((p) => p > 0),
     );
@@ -491,7 +491,7 @@ class Frame {
     ) => {
       const [first, last] = [cells[0], cells[cells.length - 1]];
       // Of heights, and without a contact, all cells are shown.
-      if (ellipse.surface || !touching.includes(true)) return [first, last];
+      if (rough || !touching.includes(true)) return [first, last];
       const [from, to] = [cells[touching.indexOf(true)], cells[touching.lastIndexOf(true)]];
       const [low, high] = axis > 0 ? [Math.min(from, -axis), Math.max(to, axis)] : [from, to];
       const [middle, half] = [(low + high) / 2, Math.max((high - low) / 2, cells[1] - cells[0])];

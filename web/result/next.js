@@ -3,6 +3,7 @@
 import { figure, forceOf, unit, unitsOf } from '../lib/units.js';
 import { numberOf } from '../lib/number.js';
 import { loadOf } from '../setup/fields.js';
+import { forceIn } from './rows.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('../types.js').Report} Report */
@@ -22,13 +23,13 @@ const OPEN = ['not_known', 'not_converged', 'shakes_down'];
  */
 export function nextSteps(job, report, at) {
   const step = report.steps[at];
-  const level = String(step.verdict?.level);
+  const level = step.verdict.level;
   if (job.load?.rolling) return OPEN.includes(level) ? rolled(job) : [];
   if (step.status === 'converged' || !['force', 'forces', 'history'].includes(loadOf(job.load)))
     return [];
   const solved = report.steps.filter(({ status }) => status === 'converged');
-  const most = Math.max(0, ...solved.map(({ contact }) => contact.force));
-  const force = round(most || step.contact.force / 2);
+  const most = Math.max(0, ...solved.map(forceIn));
+  const force = round(most || forceIn(step) / 2);
   const name = `${figure(force, 4)} ${unit(forceOf(job), unitsOf(job))}`;
   return [
     {
@@ -37,7 +38,7 @@ export function nextSteps(job, report, at) {
         : `Solve with half the force, ${name}`,
       job: { ...job, load: { force } },
     },
-    ...(force && most ? [between(job, most, step.contact.force)] : []),
+    ...(force && most ? [between(job, most, forceIn(step))] : []),
   ];
 }
 

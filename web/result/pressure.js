@@ -7,6 +7,7 @@ import { Chart } from './chart.js';
 import { abscissaOf, extentOf, rangeAround } from './extent.js';
 import { beside, hertzName } from './loads.js';
 import { Panel } from './panel.js';
+import { WIDTH, hertzIn, rowOf } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 
@@ -44,7 +45,11 @@ export class PressurePanel {
     const step = first.report.steps[at];
     const sides = beside(shown, at);
     // Where every load is taken away there is no pressure to be seen.
-    if (!sides.some(({ one, at }) => one.report.steps[at].contact.peak_pressure > 0))
+    if (
+      !sides.some(({ one, at }) =>
+        one.report.steps[at].contact.nodes.pressure.some((pressure) => pressure > 0),
+      )
+    )
       return this.panel.show(false);
     const { units } = first.report;
     const round = first.report.analysis === 'axisymmetric';
@@ -63,23 +68,22 @@ export class PressurePanel {
     const spread = sides.slice(1);
     if (spread.length === 2 && spread.every(({ one }) => one.job.tags?.varied))
       curves.unshift(band(curves[1], curves[2]));
-    const ellipse = step.three_dimensional;
-    const axes = ellipse && axesOf(ellipse);
+    const { section } = step.contact;
+    const axes = section && axesOf(step);
     if (axes && shown.length === 1) {
       const { nodes } = step.contact;
-      const { y, pressure } = ellipse.section;
+      const { y, pressure } = section;
       const name = (/** @type {'x' | 'y'} */ axis) => `along ${axes[axis].name}`;
       Object.assign(curves[0], { label: name('x') }, alongJob(nodes.x, nodes.pressure, axes.x));
       const across = alongJob(y, pressure, axes.y);
       curves.push({ label: name('y'), colour: '--curve-2', dash: [7, 3], ...across });
     }
     const { contact } = step;
-    const hertz = step.hertz && step.hertz.half_width > 0 ? step.hertz : null;
+    const hertz = hertzIn(step);
     const name = hertzName(first.report, at);
     if (hertz) curves.push({ ...hertzCurve(hertz, round, name), filled: false });
     const last = contact.patches[contact.patches.length - 1];
-    const half = ellipse ? 'semi_axis_a' : 'half_width';
-    const width = toldOf(step, half, contact.half_width, unit('length', units));
+    const width = toldOf(rowOf(step, ...WIDTH));
     const marks = contact.patches
       .flatMap((patch) => [
         mark(patch.left, ''),
@@ -88,14 +92,14 @@ export class PressurePanel {
       .filter(({ at }) => at !== 0 || !round);
     const extents = sides.flatMap(({ one, at }) => extentOf(one.report.steps[at], round) ?? []);
     if (hertz) extents.push(hertzExtent(hertz));
-    if (ellipse && shown.length === 1) extents.push(...curves.slice(0, 2).flatMap(touchedBy));
+    if (section && shown.length === 1) extents.push(...curves.slice(0, 2).flatMap(touchedBy));
     this.chart.show({
       x: `${axes ? (shown.length > 1 ? axes.x.name : `${axes.x.name}, ${axes.y.name}`) : abscissaOf(step, round)}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
       curves,
       marks,
       range: rangeAround(extents, round),
-      words: `Contact pressure over x: highest ${toldOf(step, 'peak_pressure', contact.peak_pressure, unit('stress', units))}, half-width ${width}${
+      words: `Contact pressure over x: highest ${toldOf(rowOf(step, 'peak_pressure'))}, half-width ${width}${
         hertz ? `; ${name}: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''
       }.`,
     });

@@ -46,8 +46,9 @@ import { answersTable, verdict } from './answers-table.js';
 import { differencesTable } from './differences.js';
 import { save } from './downloads.js';
 import { figuresTable, tableElements } from './figures.js';
-import { sentencesOf } from './headline.js';
+import { remarksOf, sentencesOf } from './headline.js';
 import { asked, beside, endedEarly } from './loads.js';
+import { hertzIn } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Job} Job */
@@ -61,11 +62,12 @@ import { asked, beside, endedEarly } from './loads.js';
  * @param {SVGSVGElement | null} of.cutDrawing curve of the cut that is seen in the field
  */
 export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
-  const [{ id, job, report, label, removed }] = shown;
+  const [{ id, job, report, raw = report, label, removed }] = shown;
   // By which browsers name a file that is printed.
   if (document.title !== fileName) titled = document.title;
   document.title = fileName = stemOf(job, id);
   const step = report.steps[at];
+  const hertz = hertzIn(raw.steps[at]);
   const bodies = pairOf(job);
   const many = report.steps.length;
   const sketch = h(
@@ -73,17 +75,10 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
     { class: 'sketch' },
     picture(
       job,
-      step.hertz && {
+      hertz && {
         effective_radius: 0,
         yield_onset_force: null,
-        steps: [
-          {
-            ...step.hertz,
-            force: 0,
-            yields: false,
-            half_width: inJob(step.hertz.half_width, shown[0]),
-          },
-        ],
+        steps: [{ ...hertz, force: 0, yields: false }],
       },
     ),
   );
@@ -100,9 +95,8 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
       {},
       ended && h('li', {}, h('b', {}, ended)),
       others.length > 0 && h('li', {}, `Beside each other in the charts: ${others.join('; ')}.`),
-      h('li', {}, `Approach: ${step.approach === null ? '' : 'from '}${step.approach_datum}.`),
       sides.flatMap(({ one, at, label: name }) =>
-        one.report.steps[at].validity.map(({ message }) =>
+        remarksOf(one.report, at).map(({ message }) =>
           h(
             'li',
             {},
@@ -168,7 +162,7 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
     h(
       'div',
       { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures' },
-      answersTable(sides),
+      answersTable(sides, false),
     ),
     h(
       'div',
@@ -303,12 +297,6 @@ export function close() {
   titled = '';
   byId('report').focus();
 }
-
-/** A length in the units of the job again. @param {number} length @param {Shown} shown */
-const inJob = (length, { raw, report }) =>
-  raw?.steps[0]?.hertz && report.steps[0].hertz
-    ? (length * raw.steps[0].hertz.half_width) / report.steps[0].hertz.half_width
-    : length;
 
 /**
  * @param {Job} job

@@ -3,13 +3,23 @@
  * rough contact is distributed.
  */
 
-import { figure, stiffnessOf, unit } from '../lib/units.js';
+import { stiffnessOf, unit } from '../lib/units.js';
+import { lowered } from '../setup/field.js';
+import { toldOf } from './answers.js';
 import { alongJob, axesOf } from './axes.js';
 import { Chart } from './chart.js';
 import { beside } from './loads.js';
 import { Panel } from './panel.js';
+import { forceIn, rowOf } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
+
+/** Rows of a step in words. @param {import('../types.js').Step} step @param {...string} names */
+const wordsOf = (step, ...names) =>
+  `${names
+    .flatMap((name) => rowOf(step, name) ?? [])
+    .map((row) => `${lowered(row.label)} ${toldOf(row)}`)
+    .join(', ')}.`;
 
 export class SpreadPanel {
   constructor() {
@@ -22,27 +32,24 @@ export class SpreadPanel {
   /** @param {Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
     const { report } = shown[0];
-    const { contact, three_dimensional: { roller, surface } = {} } = report.steps[at];
-    const loaded = contact.force > 0 && (roller ?? surface) !== undefined;
+    const step = report.steps[at];
+    const { along, quantiles } = step.contact;
+    const loaded = forceIn(step) > 0 && (along ?? quantiles) !== undefined;
     this.panel.show(loaded);
     if (!loaded) return;
-    this.panel.rename(roller ? 'Along the roller' : 'Pressure distribution');
-    if (roller) this.#along(shown, at, roller);
-    else if (surface) this.#distribution(shown, at, surface);
+    this.panel.rename(along ? 'Along the roller' : 'Pressure distribution');
+    if (along) this.#along(shown, at);
+    else this.#distribution(shown, at);
   }
 
-  /**
-   * @param {Shown[]} shown
-   * @param {number} at
-   * @param {import('../wire.js').RollerContact} roller
-   */
-  #along(shown, at, { end_pressure: ends, middle_pressure: middle, moment, tilt }) {
+  /** @param {Shown[]} shown @param {number} at */
+  #along(shown, at) {
     const { report } = shown[0];
     const [length, stress] = [unit('length', report.units), unit('stress', report.units)];
     const slope = unit(stiffnessOf(report), report.units);
-    const along = axesOf(report.steps[at].three_dimensional ?? { orientation: 0 }).y;
+    const along = axesOf(report.steps[at]).y;
     const sides = beside(shown, at).flatMap(({ one, at, label }) => {
-      const roller = one.report.steps[at].three_dimensional?.roller;
+      const roller = one.report.steps[at].contact.along;
       return roller ? [{ one, roller, label }] : [];
     });
     const curves = sides.map(({ one, roller, label }) => ({
@@ -58,37 +65,33 @@ export class SpreadPanel {
       ...alongJob(sides[0].roller.y, sides[0].roller.pressure, along),
       right: true,
     };
-    const words = `Edge pressure ${ends.map((one) => figure(one, 4)).join(' and ')} ${stress} at the ends, ${figure(middle, 4)} ${stress} in the middle; moment ${figure(moment, 3)} ${unit('energy', report.units)}, tilt ${figure(tilt, 3)} mrad.`;
+    const words = wordsOf(report.steps[at], 'edge_pressure', 'middle_pressure', 'moment', 'tilt');
     this.chart.show({
       x: `${along.name}  [${length}]`,
       y: `line load  [${slope}]`,
       right: alone ? `p  [${stress}]` : undefined,
       curves: alone ? [...curves, alone] : curves,
-      words: `Load along the roller. ${words}`,
+      words: `Load along the roller: ${words}`,
     });
   }
 
-  /** @param {Shown[]} shown @param {number} at @param {import('../wire.js').RoughContact} rough */
-  #distribution(
-    shown,
-    at,
-    { contact_ratio: ratio, nominal_pressure: nominal, plastic_part: plastic },
-  ) {
-    const { units } = shown[0].report;
+  /** @param {Shown[]} shown @param {number} at */
+  #distribution(shown, at) {
+    const { units, steps } = shown[0].report;
     const stress = unit('stress', units);
     const curves = beside(shown, at).flatMap(({ one, at, label }) => {
-      const rough = one.report.steps[at].three_dimensional?.surface;
-      if (!rough) return [];
+      const { quantiles } = one.report.steps[at].contact;
+      if (!quantiles) return [];
       const name = shown.length > 1 ? label : 'pressure';
-      const x = rough.parts.map((part) => 100 * part);
-      return [{ label: name, colour: one.colour, dash: one.dash, x, y: rough.pressure_quantiles }];
+      const x = quantiles.part.map((part) => 100 * part);
+      return [{ label: name, colour: one.colour, dash: one.dash, x, y: quantiles.pressure }];
     });
-    const words = `Real contact area ${figure(100 * ratio, 3)} % of that of the heights, nominal pressure ${figure(nominal, 3)} ${stress}${plastic === undefined ? '' : `; below ${figure(100 * plastic, 3)} % of it a body has yielded`}.`;
+    const words = wordsOf(steps[at], 'contact_ratio', 'nominal_pressure', 'yielded_part');
     this.chart.show({
       x: 'part of the real area below p  [%]',
       y: `p  [${stress}]`,
       curves,
-      words: `Distribution of the pressure. ${words}`,
+      words: `Distribution of the pressure: ${words}`,
     });
   }
 }

@@ -1,10 +1,12 @@
 /** A sweep in curves: force over approach, and every figure over the load. */
 
 import { h } from '../lib/dom.js';
-import { figure, forceOf, unit } from '../lib/units.js';
+import { figure, forceOf, stiffnessOf, unit } from '../lib/units.js';
+import { shareOf, unitOf } from './answers.js';
 import { Chart } from './chart.js';
+import { titleOf } from './figures.js';
 import { Panel, segments } from './panel.js';
-import { STEP_FIGURES, strainOf, titleOf } from './step-figures.js';
+import { WIDTH, approachIn, forceIn, hasYielded, rowOf } from './rows.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
@@ -15,7 +17,7 @@ import { STEP_FIGURES, strainOf, titleOf } from './step-figures.js';
  * it.
  * @typedef {object} OverLoad
  * @property {string} text
- * @property {import('./step-figures.js').StepFigure} of
+ * @property {string[]} names of its row
  * @property {(step: Step, report: Report) => (number | undefined)[] | undefined} [along]
  * @property {number} [rest] before the first load, where that is known
  */
@@ -24,18 +26,18 @@ import { STEP_FIGURES, strainOf, titleOf } from './step-figures.js';
 const OVER_LOAD = {
   peak: {
     text: 'Peak',
-    of: STEP_FIGURES.peak,
-    along: ({ flow }) => flow?.increments.peak_pressure,
+    names: ['peak_pressure'],
+    along: ({ increments }) => increments?.peak_pressure,
     rest: 0,
   },
   width: {
     text: 'Half-width',
-    of: STEP_FIGURES.width,
-    along: ({ flow }) => flow?.increments.half_width,
+    names: WIDTH,
+    along: ({ increments }) => increments?.half_width,
     rest: 0,
   },
-  strain: { text: 'Strain', of: STEP_FIGURES.strain, rest: 0 },
-  stiffness: { text: 'dP/dα', of: STEP_FIGURES.stiffness, along: slopesAlong },
+  strain: { text: 'Strain', names: ['max_plastic_strain'], rest: 0 },
+  stiffness: { text: 'dP/dα', names: ['contact_stiffness'], along: slopesAlong },
 };
 
 /**
@@ -43,8 +45,8 @@ const OVER_LOAD = {
  * @param {Step} step
  * @param {Report} report
  */
-function slopesAlong({ flow, approach, contact }, { load_approach: curve }) {
-  const ends = flow?.increments ?? { approach: [approach ?? 0], force: [contact.force] };
+function slopesAlong(step, { load_approach: curve }) {
+  const ends = step.increments ?? { approach: [approachIn(step)], force: [forceIn(step)] };
   const placeOf = (/** @type {number} */ approach, /** @type {number} */ force) =>
     curve?.approach.findIndex((at, j) => at === approach && curve.force[j] === force) ?? -1;
   return ends.approach.map((approach, k) => curve?.stiffness[placeOf(approach, ends.force[k])]);
@@ -56,7 +58,10 @@ function slopesAlong({ flow, approach, contact }, { load_approach: curve }) {
  * @param {Step} step
  * @param {Report} report
  */
-const valueAt = ({ of, along }, step, report) => of.value(step) ?? along?.(step, report)?.at(-1);
+function valueAt({ names, along }, step, report) {
+  const row = rowOf(step, ...names);
+  return row?.value == null ? along?.(step, report)?.at(-1) : row.value * shareOf(row);
+}
 
 export class SweepPanel {
   #kind = 'approach';
@@ -97,9 +102,6 @@ export class SweepPanel {
   }
 }
 
-/** A step of a sweep has an approach. @param {Step} step */
-const approachOf = ({ approach }) => approach ?? 0;
-
 /**
  * Whether the load falls again on a body that has yielded: the curve has a way back of its own.
  * @param {Shown} shown
@@ -107,8 +109,8 @@ const approachOf = ({ approach }) => approach ?? 0;
 const turnsBack = ({ job, report: { steps, theory } }) =>
   job.load?.history != null &&
   theory !== 'deformation' &&
-  steps.some((step, k) => k > 0 && approachOf(step) < approachOf(steps[k - 1])) &&
-  steps.some((step) => (strainOf(step) ?? 1) > 0);
+  steps.some((step, k) => k > 0 && approachIn(step) < approachIn(steps[k - 1])) &&
+  steps.some(hasYielded);
 
 /**
  * Part of the range of forces from which on a piece of a loop has nothing solved that is worth the
@@ -177,7 +179,8 @@ const leftOut = (swept) => {
 function onsets(swept, across, words) {
   const { report } = swept[0];
   const all = swept.flatMap(({ report: { steps }, colour }) => {
-    const at = steps[0].hertz?.yield_onset_force;
+    const first = steps.map((step) => rowOf(step, 'first_yield_force')).find(Boolean);
+    const at = first?.elastic ?? first?.value;
     return at ? [{ at, colour, figure: figure(at, 4) }] : [];
   });
   const distinct = all.filter(
@@ -207,7 +210,7 @@ function overApproach(swept, shown, at) {
   const force = unit(forceOf(report), report.units);
   const turns = swept.some(turnsBack);
   const rising = (/** @type {Report} */ report) =>
-    answered(report).sort((a, b) => approachOf(a) - approachOf(b));
+    answered(report).sort((a, b) => approachIn(a) - approachIn(b));
   return {
     turns,
     x: `α  [${unit('length', report.units)}]`,
@@ -222,16 +225,16 @@ function overApproach(swept, shown, at) {
         colour: one.colour,
         dash: one.dash,
         points: true,
-        x: whole ? approach : steps.map(approachOf),
-        y: whole ? force : steps.map(({ contact }) => contact.force),
+        x: whole ? approach : steps.map(approachIn),
+        y: whole ? force : steps.map(forceIn),
       };
       return turns ? apart(curve, force) : [curve];
     }),
     marks: [
       ...onsets(swept, 'y', 'first yield, elastic theory'),
-      { across: 'x', at: approachOf(report.steps[at]), text: 'shown' },
+      { across: 'x', at: approachIn(report.steps[at]), text: 'shown' },
     ],
-    words: `Force over approach, ${report.steps.length} points up to ${figure(Math.max(...report.steps.map(({ contact }) => contact.force)))} ${force}.`,
+    words: `Force over approach, ${report.steps.length} points up to ${figure(Math.max(...report.steps.map(forceIn)))} ${force}.`,
   };
 }
 
@@ -246,18 +249,18 @@ function overForce(report, figures, inTurn) {
   const { along, rest } = figures;
   const value = (/** @type {Step} */ step) => valueAt(figures, step, report) ?? 0;
   const steps = answered(report);
-  if ((!inTurn && steps.length > 1) || !steps.every(({ flow }) => flow)) {
-    steps.sort((a, b) => a.contact.force - b.contact.force);
-    return { x: steps.map(({ contact }) => contact.force), y: steps.map(value) };
+  if ((!inTurn && steps.length > 1) || !steps.every(({ increments }) => increments)) {
+    steps.sort((a, b) => forceIn(a) - forceIn(b));
+    return { x: steps.map(forceIn), y: steps.map(value) };
   }
   const points = steps.flatMap((step) => {
     const between = along?.(step, report)?.slice(0, -1) ?? [];
-    const forces = step.flow?.increments.force ?? [];
+    const forces = step.increments?.force ?? [];
     return [
       ...between.flatMap((figure, k) =>
         figure === undefined ? [] : [{ x: forces[k], y: figure }],
       ),
-      { x: step.contact.force, y: value(step) },
+      { x: forceIn(step), y: value(step) },
     ];
   });
   if (rest !== undefined) points.unshift({ x: 0, y: rest });
@@ -273,10 +276,15 @@ function overForce(report, figures, inTurn) {
  */
 function overLoad(swept, shown, at, figures) {
   const [{ report }] = shown;
-  const { of, along } = figures;
-  const label = of.short ?? titleOf(of, report);
+  const { names, along, text } = figures;
+  const row = swept
+    .flatMap(({ report }) => report.steps.map((step) => rowOf(step, ...names)))
+    .find((row) => row?.value != null);
+  // Of a history slopes are known at increments alone.
+  const [label, name] = row
+    ? [titleOf(row), unitOf(row)]
+    : [text, unit(stiffnessOf(report), report.units)];
   const force = unit(forceOf(report), report.units);
-  const name = of.unit(report);
   // A load that falls on a body that has yielded has a way back of its own.
   const turns = swept.some(turnsBack);
   return {
@@ -297,7 +305,7 @@ function overLoad(swept, shown, at, figures) {
     }),
     marks: [
       ...onsets(swept, 'x', 'first yield'),
-      { across: 'x', at: report.steps[at].contact.force, text: 'shown' },
+      { across: 'x', at: forceIn(report.steps[at]), text: 'shown' },
     ],
     words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(valueAt(figures, report.steps[at], report))} ${name}.`,
   };

@@ -12,9 +12,9 @@ import { endingAtErrors } from '../lib/tabular.js';
 import { exact, plain } from '../lib/units.js';
 import { lowered } from '../setup/field.js';
 import { inWords } from '../setup/words.js';
-import { answersOf, errorOf, errorWords, shareOf, unitOf, valueOf } from './answers.js';
+import { answersOf, errorOf, shareOf, unitOf, wholeOf } from './answers.js';
 import { Chart } from './chart.js';
-import { scrolled, tableElements, takeAlong } from './figures.js';
+import { cellsOf, scrolled, tableElements, takeAlong } from './figures.js';
 import { looksOf, searchOf, tolerancesOf, tolerancesTable } from './find.js';
 import { Panel } from './panel.js';
 
@@ -113,7 +113,7 @@ export class VaryPanel {
     // What a slider shows is no job that others are beside.
     if (id === '') return;
     const other = JSON.stringify(job) !== JSON.stringify(this.#job);
-    this.#answers = answersOf(report.steps[at]);
+    this.#answers = answersOf(report, at);
     if (!other) return;
     this.#running?.abort();
     this.#job = job;
@@ -314,7 +314,7 @@ export class VaryPanel {
     const { point, answer, end } = best;
     const number = this.#varied;
     this.words.replaceChildren(
-      `${answer.label} is ${end} at ${lowered(number?.label ?? '')} ${plain(point.at, 5)} ${number?.unit}: ${whole(answer)}. `,
+      `${answer.label} is ${end} at ${lowered(number?.label ?? '')} ${plain(point.at, 5)} ${number?.unit}: ${wholeOf(answer)}. `,
       plainButton('Show this job', () => this.on.open(point.id)),
     );
   }
@@ -420,11 +420,7 @@ export class VaryPanel {
       columns,
       rows: this.#points.map(({ at }, row) => [
         at,
-        ...found[row].flatMap((answer, k) => {
-          const value = answer?.value == null ? null : answer.value * shareOf(answer);
-          const error = errors[k][row];
-          return [value, ...(barred[k] ? [error == null ? null : 100 * error] : [])];
-        }),
+        ...found[row].flatMap((answer, k) => cellsOf(answer, barred[k])),
       ]),
       write: (cell, k, row) => (k === 0 ? plain(Number(cell), 5) : ending(cell, k, row)),
     };
@@ -434,14 +430,11 @@ export class VaryPanel {
 /** @param {{name: string, body: string | null}} answer */
 const keyOf = ({ name, body }) => `${name} ${body ?? ''}`;
 
-/** A figure with its unit and its error. @param {import('./answers.js').Answer} answer */
-const whole = (answer) =>
-  [valueOf(answer), unitOf(answer), errorWords(answer)].filter(Boolean).join(' ');
-
 /** @param {number} at @param {string} id @param {import('../types.js').Report} [report] @returns {Point[]} of its last step, where that is an answer */
 function pointOf(at, id, report) {
-  const step = report?.steps.at(-1);
-  return report && step?.status === 'converged' ? [{ at, id, answers: answersOf(step) }] : [];
+  return report?.steps.at(-1)?.status === 'converged'
+    ? [{ at, id, answers: answersOf(report, report.steps.length - 1) }]
+    : [];
 }
 
 /** @param {number} value as it is typed */

@@ -11,7 +11,7 @@ import { sentence } from '../setup/send.js';
 import { LayerSource, reportOf } from '../field/layers.js';
 import { stemOf } from '../jobs/names.js';
 import { FieldPanel } from '../field/panel.js';
-import { answersOf, through } from './answers.js';
+import { through } from './answers.js';
 import { axesOf } from './axes.js';
 import { ConvergencePanel } from './convergence.js';
 import { inUnits } from './converted.js';
@@ -29,6 +29,7 @@ import { segments } from './panel.js';
 import { passesPanels } from './passes.js';
 import { PressurePanel } from './pressure.js';
 import { progressOf } from './progress.js';
+import { hasYielded, rowOf } from './rows.js';
 import { SpreadPanel } from './spread.js';
 import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
@@ -146,7 +147,7 @@ export class View {
     const [ofPasses, ...others] = passes;
     const left = map.panel.element.hidden ? dent : map;
     const first = step && isUnloaded(step) ? [left] : [ofPasses];
-    const curve = step && !step.flow ? [sweep] : [];
+    const curve = step && !step.increments ? [sweep] : [];
     const all = [...first, ...curve, map, pressure, field, other, depth, spread, ...others];
     return [...new Set([...all, dent, sweep])];
   }
@@ -254,11 +255,12 @@ export class View {
   }
 
   #sheet() {
-    // There is one page: of a line that rolls, groove and pressure are figures; one load has neither curve nor dent.
+    // There is one page: of a load that rolls the pressure is in figures, of a line the groove too; one load has neither curve nor dent.
     const [{ report }] = this.#shown;
-    const rolled = report.analysis !== 'three_dimensional' && report.steps[this.#at].rolling;
+    const rolled = report.steps[this.#at].passes !== undefined;
     const left = [
-      ...(rolled ? ['groove', 'pressure'] : []),
+      ...(rolled ? ['pressure'] : []),
+      ...(rolled && report.analysis !== 'three_dimensional' ? ['groove'] : []),
       ...(this.#isCurve ? [] : ['sweep', 'dent']),
     ];
     showSheet({
@@ -357,9 +359,10 @@ export class View {
     this.plane.hidden = !solid;
     if (!raw) return;
     if (solid) namePlanes(this.plane, report.steps[this.#at]);
-    const yields = hasYielded(raw);
+    // All steps of a job are looked at in the same quantity.
+    const yields = raw.steps.some(hasYielded);
     const asked = { job, at: this.#at, yields, units: setOf(report.units) };
-    if (report.steps[0]?.rolling) this.field.clear();
+    if (report.steps[0]?.passes) this.field.clear();
     else if (!solid) this.field.show({ ...asked, report: raw }, anew, /** @type {any} */ (fields));
     // The map offers to solve again with both.
     else if (!job.output?.fields) this.field.clear();
@@ -379,7 +382,7 @@ function soFar(history, job) {
     { class: 'so-far' },
     h(
       'p',
-      { class: 'verdict-text neutral' },
+      { class: 'verdict-text' },
       h('span', { class: 'mark', 'aria-hidden': 'true' }, '…'),
       h('span', {}, sentence(words)),
     ),
@@ -387,30 +390,21 @@ function soFar(history, job) {
   );
 }
 
-/** Whether a body yields in any step: all steps of a job are looked at in the same quantity. @param {import('../types.js').Report} report */
-const hasYielded = ({ steps }) =>
-  steps.some(({ plasticity: { upper, lower } }) => upper?.yielded || lower?.yielded);
-
 /** The field of a job, its step as it is laid beside that of the first. @param {Shown} one @param {number} at @param {'x' | 'y'} axis */
 function fieldOf({ job, report, raw, fields }, at, axis) {
   if (!raw || !fields) return undefined;
-  const asked = { job, at, yields: hasYielded(raw), units: setOf(report.units) };
+  const asked = { job, at, yields: raw.steps.some(hasYielded), units: setOf(report.units) };
   return fields instanceof LayerSource
     ? { asked: { ...asked, report: reportOf(raw, axis) }, source: fields.planes[axis] }
     : { asked: { ...asked, report: raw }, source: fields };
 }
 
 /** The step that is seen first: that of the force that was looked for, else the last one. @param {Shown} one */
-function askedStep({ report }) {
-  const found = report.steps.findIndex((step) =>
-    answersOf(step).some(({ name }) => name === 'force_found'),
-  );
-  return found < 0 ? report.steps.length - 1 : found;
-}
+const askedStep = ({ report }) => (rowOf(report, 'force_found') ? 0 : report.steps.length - 1);
 
 /** Names the sections of half-spaces in the axes of the job, by the place that both go through. @param {HTMLElement} choice @param {import('../types.js').Step} step */
 function namePlanes(choice, step) {
-  const axes = axesOf(step.three_dimensional ?? { orientation: 0 });
+  const axes = axesOf(step);
   const place = through(step);
   const name = (/** @type {'x' | 'y'} */ axis) =>
     `${axes[axis].name} = ${figure(axes[axis].sign * place[axis] || 0, 3)}`;

@@ -28,6 +28,7 @@ const LOOK = 2000;
  * @property {(id: string, report: Report) => void} solved
  * @property {(document: JobDocument) => void} ended in whatever state
  * @property {(id: string) => void} removed the service no longer has the job
+ * @property {() => void} again the job that is shown is to be solved again
  */
 
 export class Watch {
@@ -77,6 +78,21 @@ export class Watch {
       ),
     );
     this.on.removed(id);
+  }
+
+  /** An older version has solved the job, whose results have another form. */
+  #older() {
+    this.on.titled('Older result');
+    this.#put(
+      'older',
+      h(
+        'div',
+        { class: 'state failed', role: 'alert', 'data-status': 'older' },
+        h('b', {}, 'Solved by an older version'),
+        ' Its result has another form; the job is in the form.',
+        h('span', { class: 'actions' }, button('Solve again', this.on.again)),
+      ),
+    );
   }
 
   /** @param {string} bar what it is of @param {...Node} content */
@@ -137,6 +153,7 @@ export class Watch {
       });
       if (signal.aborted) return;
       if (report) this.on.solved(id, report);
+      else if (last.has_result) return this.#older();
       this.#show(last, report);
       this.#shown = id;
     } catch (error) {

@@ -56,7 +56,7 @@ const OWN = [
     title: 'Bearing ball pressed into a steel plate, ten loads',
     job: {
       analysis: 'axisymmetric',
-      upper: { shape: { type: 'cylinder', radius: 5 }, material: HARD },
+      upper: { shape: { type: 'sphere', radius: 5 }, material: HARD },
       lower: { shape: { type: 'block', width: 40, depth: 20 }, material: steel(750) },
       load: { forces: [10, 50, 100, 200, 300, 400, 500, 650, 800, 1000] },
     },

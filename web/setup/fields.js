@@ -83,22 +83,17 @@ export const shapeLabel = (type, analysis) =>
   (analysis === 'axisymmetric' && TURNED[type]) || SHAPES[type]?.label || 'Body';
 
 /** Shapes of one kind of analysis only, and what stands for them in the other. @type {Record<string, string | undefined>} */
-const PLANE_ONLY = named({ wedge: 'cone' });
+const PLANE_ONLY = named({ wedge: 'cone', cylinder: 'sphere' });
 /** @type {Record<string, string | undefined>} */
-const TURNED_ONLY = named({ cone: 'wedge' });
+const TURNED_ONLY = named({ cone: 'wedge', sphere: 'cylinder' });
 
-/** Shapes of half-spaces, which are of three dimensions only. */
+/** Shapes of half-spaces, which but for a ball are of three dimensions only. */
 const OF_HALF_SPACES = new Set(['sphere', 'curved', 'roller', 'flat']);
 
 /** What stands for shapes of sections there, and the other way round. @type {Record<string, string | undefined>} */
 const AS_HALF_SPACE = named({ cylinder: 'sphere', parabola: 'sphere', hole: 'curved' });
 /** @type {Record<string, string | undefined>} */
-const AS_SECTION = named({
-  sphere: 'cylinder',
-  curved: 'cylinder',
-  roller: 'cylinder',
-  flat: 'block',
-});
+const AS_SECTION = named({ curved: 'cylinder', roller: 'cylinder', flat: 'block' });
 
 /** @param {string} type @param {unknown} analysis @returns {string} the same shape, or what stands for it in this analysis */
 export function shapeIn(type, analysis) {
@@ -111,12 +106,13 @@ export function shapeIn(type, analysis) {
 /** @param {Record<string, any>} shape @param {unknown} analysis @param {import('../lib/units.js').Units} units @returns {Record<string, any>} what stands for it in this analysis */
 export function shapeFor(shape, analysis, units) {
   const type = shapeIn(shape.type, analysis);
-  if (OF_HALF_SPACES.has(type) === OF_HALF_SPACES.has(shape.type)) return { ...shape, type };
-  if (type === 'sphere' || shape.type === 'sphere') return { type, radius: shape.radius };
+  if (type === shape.type) return { ...shape };
   if (type === 'curved') return { type, radius_x: -shape.radius, radius_y: -shape.radius };
-  if (shape.type === 'roller') return { type, radius: shape.radius };
-  if (shape.type === 'curved') return { type, radius: Math.abs(shape.radius_x ?? shape.radius_y) };
-  return shapeLike(type, shape, units);
+  if (type === 'sphere' || type === 'cylinder')
+    return { type, radius: shape.radius ?? Math.abs(shape.radius_x ?? shape.radius_y) };
+  return OF_HALF_SPACES.has(type) === OF_HALF_SPACES.has(shape.type)
+    ? { ...shape, type }
+    : shapeLike(type, shape, units);
 }
 
 /** @param {unknown} analysis @param {unknown} [own] one that there is already @returns {Record<string, string>} shapes to choose from */
@@ -126,8 +122,8 @@ export const shapesFor = (analysis, own) =>
       .filter(
         (type) =>
           type === own ||
-          (OF_HALF_SPACES.has(type) === (analysis === 'three_dimensional') &&
-            shapeIn(type, analysis) === type),
+          // A sphere of revolution may be called a cylinder.
+          (shapeIn(type, analysis) === type && shapeIn(String(own), analysis) !== type),
       )
       .map((type) => [type, shapeLabel(type, analysis)]),
   );

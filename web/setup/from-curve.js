@@ -9,6 +9,7 @@ import { dialogue } from '../lib/dialogue.js';
 import { h } from '../lib/dom.js';
 import { readNumber } from '../lib/number.js';
 import { convert, figure, unit } from '../lib/units.js';
+import { valueIn } from '../result/rows.js';
 import { search } from '../result/search.js';
 import { inWords } from './words.js';
 
@@ -79,7 +80,7 @@ export function askMaterial(points, material, units, use) {
           run,
         );
         reason ||= problem ?? '';
-        return report?.hardness?.depth ?? NaN;
+        return (report && valueIn(report, 'indentation_depth')) ?? NaN;
       };
       search(look, law.yield_stress, depth, () => running.signal.aborted || reason !== '').then(
         ({ best, found: isFound }) => {

@@ -5,7 +5,9 @@ import { solveAll } from '../jobs/batch.js';
 import { jobFragment } from '../jobs/link.js';
 import { dialogue } from '../lib/dialogue.js';
 import { h, plainButton } from '../lib/dom.js';
-import { convert, figure, unit } from '../lib/units.js';
+import { convert } from '../lib/units.js';
+import { toldOf, wholeOf } from '../result/answers.js';
+import { rowOf } from '../result/rows.js';
 import { inWords } from './words.js';
 
 const SCALES = ['HBW 10/3000', 'HBW 2.5/187.5', 'HV 30', 'HV 10', 'HRC', 'HRB'];
@@ -17,7 +19,7 @@ export function askTests(material, units) {
     h('input', { type: 'checkbox', value: scale, checked: USUAL.includes(scale) }),
   );
   const rows = h('tbody');
-  const table = h('table', { hidden: true }, h('thead', {}, heads(units)), rows);
+  const table = h('table', { hidden: true }, h('thead', {}, HEADS), rows);
   let running = new AbortController();
   const [width, depth] = [80, 40].map((size) => convert(size, 'length', 'mm_N_MPa', units));
   const jobOf = (/** @type {string} */ scale) => ({
@@ -56,29 +58,27 @@ export function askTests(material, units) {
   );
 }
 
-/** @param {import('../lib/units.js').Units} units */
-const heads = (units) =>
-  h(
-    'tr',
-    {},
-    ['test', 'number', `diameter or diagonal [${unit('length', units)}]`, ''].map((text) =>
-      h('th', { scope: 'col' }, text),
-    ),
-  );
+const HEADS = ['test', 'number', 'diameter or diagonal', ''].map((text) =>
+  h('th', { scope: 'col' }, text),
+);
 
 /** @param {string} scale @param {import('../jobs/batch.js').Trial} trial @param {() => void} close */
 function row(scale, { id, report, problem, done }, close) {
-  const found = report?.hardness;
+  const found = report && rowOf(report, 'diameter');
   const show = plainButton('Show', () => {
     close();
     location.hash = jobFragment(id);
   });
+  const number = report && rowOf(report, 'hardness');
   const cells = found
     ? [
-        found.number === null
-          ? 'none: it has not yielded'
-          : `${figure(found.number, 4)}${found.number_error ? ` ± ${figure(found.number_error, 2)}` : ''}`,
-        figure(found.diameter, 4),
+        [
+          number ? wholeOf(number) : 'none: it has not yielded',
+          ...(report.validity ?? []).map(({ message }) =>
+            h('p', { class: 'quiet' }, inWords(message)),
+          ),
+        ],
+        toldOf(found),
       ]
     : [done ? inWords(problem ?? 'no result') : 'runs…', ''];
   return h(

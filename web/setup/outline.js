@@ -37,6 +37,7 @@ function outlineOf(shape) {
   const [radius, width, depth] = [shape?.radius, shape?.width, shape?.depth].map(numberOf);
   switch (shape?.type) {
     case 'cylinder':
+    case 'sphere':
       return radius > 0 ? { surface: arc(radius, radius, -1), base: -radius } : null;
     case 'hole':
       return hole(radius, numberOf(shape?.outer_radius ?? 0), numberOf(shape?.width ?? 0));

@@ -155,7 +155,7 @@ export function pointsControl(field, id, change, { units, parent, beside, inMate
     const first = Number(slope.toPrecision(4));
     put(result.points, [result.note], [
       plainButton(`Take E = ${figure(first, 4)} ${stress}`, () => inMaterial({ young_modulus: first }), { title: 'Young’s modulus becomes the first slope of the test' }), // prettier-ignore
-      proof && plainButton(`Take R_p0.2 = ${figure(proof, 4)} ${stress}`, () => inMaterial({ plasticity: bilinear(result.points, proof, modulus() || slope) }), { title: 'A bilinear law with this yield stress in place of the curve' }), // prettier-ignore
+      proof && plainButton(`Bilinear law from R_p0.2 = ${figure(proof, 4)} ${stress}`, () => inMaterial({ plasticity: bilinear(result.points, proof, modulus() || slope) }), { title: 'In place of the curve' }), // prettier-ignore
     ].filter((one) => one instanceof Node)); // prettier-ignore
   };
   input.addEventListener('paste', (event) => {

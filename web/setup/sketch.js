@@ -30,13 +30,16 @@ export function startSketch(draft) {
   };
 }
 
+/** Shapes that a hole may hold. */
+const ROUND = new Set(['cylinder', 'sphere']);
+
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz */
 export function picture(job, hertz) {
   if (job.analysis === 'three_dimensional') return sections(job);
   const shapes = [job.upper?.shape, job.lower?.shape];
   const inHole = shapes.some((shape) => shape?.type === 'hole');
   const whole = shapes.map((shape) =>
-    inHole && shape?.type === 'cylinder' && outline(shape)
+    inHole && ROUND.has(shape?.type) && outline(shape)
       ? pin(numberOf(shape.radius))
       : outline(shape),
   );
@@ -168,7 +171,7 @@ function brokenOff([right, left], points) {
 function sizeWords(of, body, length) {
   const { type, radius } = of?.shape ?? {};
   if (!body) return '';
-  if (type === 'cylinder') return `R ${exact(numberOf(radius))} ${length}`;
+  if (ROUND.has(type)) return `R ${exact(numberOf(radius))} ${length}`;
   if (type === 'groove' || type === 'hole')
     return `${type} R ${exact(numberOf(radius))} ${length}`;
   const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];

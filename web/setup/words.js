@@ -67,7 +67,11 @@ export const inWords = (message) =>
     // Behind the words that it means, a key says nothing more.
     .replace(/ \(`[\w./]+`\)/g, '')
     .replace(/\b(the )?theory `flow`/g, 'flow theory')
-    .replace(/\bsee `(\w+)`/g, (_, code) => `see the remark ${titled(code.replaceAll('_', ' '))}`)
+    .replace(
+      /\b(see|remark) `(\w+)`/g,
+      (_, before, code) =>
+        `${before === 'see' ? 'see the ' : ''}remark ${titled(code.replaceAll('_', ' '))}`,
+    )
     .replace(/`([\w./]+)`/g, called)
     // Powers of ten as the page writes them.
     .replace(/(?<![\w.])\d(?:\.\d+)?e[+-]?\d+(?![\w.])/g, (number) => plain(Number(number)));

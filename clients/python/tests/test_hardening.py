@@ -89,7 +89,7 @@ def test_rockwell_is_taken_by_the_service(client: Client) -> None:
 
     given = hardening.profile([0, 0.5, 1], [52.3, 49.1, 38.8], scale="HRC")
     vickers = hardening.profile([0, 0.5, 1], [550, 500, 380])
-    peaks = [client.solve(job(one)).peak_pressure for one in (given, vickers)]
+    peaks = [client.solve(job(one))["peak_pressure"] for one in (given, vickers)]
     assert peaks[0] == pytest.approx(peaks[1], rel=1e-12)
     drawn = hardening.case(58.8, 38.8, 0.8, scale="HRC")
     assert client.validate(job(drawn))["equations"] > 0

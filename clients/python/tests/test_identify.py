@@ -64,7 +64,8 @@ def test_a_curve_without_noise_gives_the_material_back(client: brinell.Client) -
     assert found.plot().get_ylabel() == "force [N]"
     assert found.plot_residuals().get_xlabel() == "force [N]"
     assert str(found).startswith("yield_stress 48")
-    assert 0 < found.mesh_error < 0.1
+    # The approach under these forces is open by 6 to 21 %.
+    assert 0 < found.mesh_error < 0.25
     assert "of the approach open" in str(found)
 
 
@@ -120,7 +121,7 @@ def test_a_dent_gives_the_material_back(client: brinell.Client) -> None:
         document["solver"] = {"theory": "flow"}
         return document
 
-    exact = client.solve(dented(480)).last.data["flow"]["surfaces"]["lower"]
+    exact = client.solve(dented(480)).last.data["surfaces"]["lower"]
     place = np.linspace(0, 1, 15)
     heights = np.interp(place, exact["x"], exact["height"])
     found = brinell.identify(
@@ -145,7 +146,7 @@ def test_two_diameters_give_yield_stress_and_exponent(client: brinell.Client) ->
         return {**document, "load": {"hardness": ball}, "solver": {"increments": 24}}
 
     forces = [7355.0, 29420.0]
-    seen = [client.solve(tested(480, 0.17, one)).hardness["diameter"] for one in forces]
+    seen = [client.solve(tested(480, 0.17, one))["diameter"] for one in forces]
     found = brinell.identify(
         np.column_stack([seen, forces]),
         tested(400, 0.13),

@@ -337,10 +337,10 @@ def test_a_study_goes_on_where_it_was_killed(tmp_path: Path, client: Client) -> 
     study = brinell.open_study(folder)
     assert len(study) == 40
     assert sorted(study.table["/load/force"]) == sorted(np.linspace(100, 600, 40))
-    by_force = {result.force: result for result in study}
+    by_force = {result["force"]: result for result in study}
     for job in jobs[::13]:
         report = by_solve(job)
-        kept_one = by_force[report["steps"][0]["contact"]["force"]]
+        kept_one = by_force[brinell.Result(report)["force"]]
         assert kept_one.data["steps"][0]["answers"] == report["steps"][0]["answers"]
 
 

@@ -370,10 +370,10 @@ def test_the_page_of_the_documents_runs(
     assert "21 of 12 288 heights filled in, harmonic" in said
     assert "cut-off λ_c 800 µm" in said
     assert names["result"].converged
-    assert 0 < names["result"].steps[0].data["three_dimensional"]["surface"]["contact_ratio"] < 1
+    assert 0 < names["result"]["contact_ratio"] < 1
     # The table of the self-affine surface, which is the last that was made.
     job = {**names["job"], "upper": {**names["job"]["upper"], "surface": names["rough"]}}
-    contact = brinell.Client().solve(job).steps[0].data["three_dimensional"]["surface"]
+    contact = brinell.Client().solve(job)
     (row,) = re.findall(r"\n\| 2 \| .*", document)
     assert f" {100 * contact['contact_ratio']:.2f} % " in row
     assert f" {contact['nominal_pressure']:.1f} " in row

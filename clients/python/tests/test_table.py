@@ -41,3 +41,22 @@ def test_a_file_of_a_test_is_a_law(client: Client, tmp_path: Path) -> None:
     path.write_text(indentation["text"], "utf-8")
     with pytest.raises(InvalidJob, match="indentation"):
         hardening.from_tensile(path)
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"units": ["%"]},
+        {"units": "%"},
+        {"units": ["%", None]},
+        {"young_modulus": None},
+        {"section": "10"},
+        {"section": float("nan")},
+        {"gauge_length": -5},
+    ],
+)
+def test_what_is_no_figure_and_no_unit_is_said(given: dict[str, Any], tmp_path: Path) -> None:
+    path = tmp_path / "table.txt"
+    path.write_text(CASES[0]["text"], "utf-8")
+    with pytest.raises(InvalidJob, match=next(iter(given))):
+        hardening.read_table(path, **given)

@@ -26,7 +26,7 @@ pub(super) async fn with_result(
     match state.jobs.result(job.id).await? {
         Some(head) if job.done => {
             let result = SentResult { state: state.clone(), caller, id: job.id, head, selection };
-            result.inside(&job, headers).await
+            result.inside(&job, headers)
         }
         _ => Ok(job.into_response()),
     }

@@ -50,7 +50,7 @@ pub(in crate::http) async fn get_result(
         return summary(&state, caller, id, selection.step).await;
     }
     match state.jobs.result(id).await? {
-        Some(head) => SentResult { state, caller, id, head, selection }.alone(&headers).await,
+        Some(head) => SentResult { state, caller, id, head, selection }.alone(&headers),
         None => Err(no_result(&state.jobs.get(id).await?)),
     }
 }

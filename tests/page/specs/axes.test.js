@@ -2,9 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { sentenceOf } from '../../../web/result/answers.js';
 import { figureOf } from '../../../web/lib/digits.js';
-import { alongJob, axesOf, mapInJob } from '../../../web/result/axes.js';
+import { alongJob, axesAt, mapInJob } from '../../../web/result/axes.js';
 import { search } from '../../../web/result/search.js';
 
 test('a map has the x and y of the job, however its contact is turned', () => {
@@ -19,7 +18,7 @@ test('a map has the x and y of the job, however its contact is turned', () => {
   const at = ({ x: xs, y: ys, pressure }, x, y) =>
     pressure[xs.indexOf(x) * ys.length + ys.indexOf(y)];
   for (const orientation of [0, 90, -90, 180]) {
-    const made = mapInJob(maps, axesOf({ orientation }));
+    const made = mapInJob(maps, axesAt(orientation));
     const [sine, cosine] = [
       Math.round(Math.sin((orientation * Math.PI) / 180)),
       Math.round(Math.cos((orientation * Math.PI) / 180)),
@@ -36,8 +35,8 @@ test('a map has the x and y of the job, however its contact is turned', () => {
       );
     assert.equal(made.other, 'stays');
   }
-  assert.equal(mapInJob(maps, axesOf({ orientation: 30 })), maps);
-  assert.match(axesOf({ orientation: -30 }).words, /−30\.0° from x of the sketch/);
+  assert.equal(mapInJob(maps, axesAt(30)), maps);
+  assert.match(axesAt(-30).words, /−30\.0° from x of the sketch/);
   assert.deepEqual(alongJob([1, 2], [5, 6], { name: 'x', sign: -1 }), { x: [-2, -1], y: [6, 5] });
 });
 
@@ -50,29 +49,6 @@ test('a figure ends where its error does', () => {
   assert.equal(figureOf(5.4321, 3), '5.4');
   assert.equal(figureOf(110423.6, 0.013), '110000');
   assert.equal(figureOf(1155.2, null), '1155');
-  const verdict = {
-    level: 'dented',
-    text: 'A dent of 5e-5 mm; strain 0.29 %, 0.29 mm deep, 1.6 times; 0.126 ± 0.0181 % a pass.',
-  };
-  const of = { body: null, elastic: null, place: null, text: '', label: '' };
-  const answers = [
-    { ...of, name: 'dent', quantity: 'length', unit: 'mm', value: 5.0004e-5, error: 0.002 },
-    { ...of, name: 'max_plastic_strain', quantity: 'strain', value: 0.0029004, error: 0.05 },
-    { ...of, name: 'steady_strain', quantity: 'strain', value: 0.00126, error: 0.1437 },
-  ];
-  const said = (/** @type {object | null} */ place) => {
-    const [dent, strain, steady] = answers;
-    const step = { verdict, answers: [dent, { ...strain, place }, steady] };
-    const contact = { half_width: 0.3 };
-    const report = { units: 'mm_N_MPa', analysis: 'plane_strain' };
-    return sentenceOf(/** @type {any} */ ({ ...step, contact }), /** @type {any} */ (report));
-  };
-  const words = (/** @type {string} */ at) =>
-    `A dent of 5.000·10⁻⁵ mm; strain 0.290 %, 0.29 mm deep${at}, 1.6 times; 0.13 ± 0.018 % a pass.`;
-  assert.equal(said(null), words(''));
-  assert.equal(said({ body: 'both', x: 0.154, depth: 0.29 }), words(' at x 0.154 mm'));
-  // Near the middle it is the mesh that says which node.
-  assert.equal(said({ body: 'both', x: 0.008, depth: 0.29 }), words(''));
 });
 
 test('a search finds what a figure asks for, and says what none gives', async () => {

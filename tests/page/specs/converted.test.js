@@ -21,8 +21,6 @@ const SAID = [
   [/Unit: mm² \(SI: m²\)/, 'area'],
   [/Unit: mm³ \(SI: m³\)/, 'volume'],
   [/Unit: N \(SI: N\) of thickness, force times length/, 'energy'],
-  // By the name of the figure that was looked for.
-  [/Unit: that of the figure/, undefined],
   [/Unit: degree|Unit: mrad|Unit: ms|Without unit/, undefined],
 ];
 
@@ -34,8 +32,8 @@ const SAID = [
 function* numbers(node, key, said, seen = []) {
   if (node.$ref) {
     const name = node.$ref.split('/').pop();
-    // An answer says what it is; the test below converts one of each quantity.
-    if (name !== 'Answer' && !seen.includes(name))
+    // A row says what it is, and what its course is; tests below convert them.
+    if (name !== 'Answer' && name !== 'Course' && !seen.includes(name))
       yield* numbers(schemas[name], key, node.description ?? schemas[name].description ?? said, [
         ...seen,
         name,
@@ -62,14 +60,14 @@ test('every figure of a report has the kind of unit that the interface names', (
   assert.ok(count > 60, `${count} figures`);
 });
 
-test('initial stresses, work and reversed yield come in the units that are shown', () => {
+test('initial stresses and the figures of passes come in the units that are shown', () => {
   const set = { length: 'µm', per: 'mm', stress: 'GPa', force: 'kN' };
+  const pile_up = { value: [0.5, 0.25], error: [0.1, null] };
   const part = {
+    answers: [{ name: 'pile_up', quantity: 'length', unit: 'mm', value: 0.25, place: null }],
     subsurface: { lower: { initial_sigma_x: [-204], initial_sigma_z: [10] } },
-    flow: {
-      energy: { work: 2 },
-      surfaces: { lower: { pile_up_position: 0.5, reverse_area: 0.25 } },
-    },
+    passes: { number: [1, 2], contact: {}, lower: { pile_up } },
+    mesh: { passes: 2 },
   };
   const converted = inUnits(part, { analysis: 'plane_strain', units: 'mm_N_MPa' }, set);
   const rounded = JSON.parse(
@@ -78,24 +76,19 @@ test('initial stresses, work and reversed yield come in the units that are shown
     ),
   );
   assert.deepEqual(rounded, {
+    answers: [{ ...part.answers[0], value: 250, unit: 'µm' }],
     subsurface: { lower: { initial_sigma_x: [-0.204], initial_sigma_z: [0.01] } },
-    flow: {
-      energy: { work: 2 },
-      surfaces: { lower: { pile_up_position: 500, reverse_area: 250000 } },
-    },
+    passes: { ...part.passes, lower: { pile_up: { ...pile_up, value: [500, 250] } } },
+    mesh: { passes: 2 },
   });
-  assert.equal(
-    inUnits({ work: 2 }, { analysis: 'axisymmetric', units: 'mm_N_MPa' }, { ...set, length: 'mm' })
-      .work,
-    2e-3,
-  );
 });
 
 test('an answer comes in the unit of its own quantity', () => {
   const set = { length: 'µm', per: 'mm', stress: 'GPa', force: 'kN' };
   const of = { analysis: 'plane_strain', units: /** @type {const} */ ('mm_N_MPa') };
   const place = { body: 'both', x: 0.5, depth: 0.25 };
-  const answer = (/** @type {string} */ quantity, /** @type {string} */ unit) => ({
+  /** @param {string} quantity @param {string} unit @returns {any} */
+  const answer = (quantity, unit) => ({
     quantity,
     unit,
     value: 2,
@@ -105,7 +98,7 @@ test('an answer comes in the unit of its own quantity', () => {
   const { answers } = inUnits(
     {
       answers: [
-        { ...answer('length', 'mm'), elastic: 1 },
+        { ...answer('length', 'mm'), elastic: 1, at_least: 1, at_most: 3 },
         answer('stress', 'MPa'),
         answer('area', 'mm²'),
         answer('ratio', ''),
@@ -128,8 +121,8 @@ test('an answer comes in the unit of its own quantity', () => {
     ],
   );
   assert.deepEqual(
-    [answers[0].elastic, answers[0].place],
-    [1000, { ...place, x: 500, depth: 250 }],
+    [answers[0].elastic, answers[0].at_least, answers[0].at_most, answers[0].place],
+    [1000, 1000, 3000, { ...place, x: 500, depth: 250 }],
   );
 });
 
@@ -165,6 +158,7 @@ test('remarks have the words of the form, and no keys', () => {
     ['Raise `solver.max_iterations`.', 'Raise “Iterations at most”.'],
     ['small strains; see `collapse`.', 'small strains; see the remark “Collapse”.'],
     ['see `contact_at_edge`', 'see the remark “Contact at edge”'],
+    ['remark `coarse_mesh`', 'remark “Coarse mesh”'],
     ['`nonsense` is not known', '“nonsense” is not known'],
     ['`load.onset` looks for it', '“Onset of yield” as the load looks for it'],
     ['give `strain_unit`', 'give unit of the strains'],

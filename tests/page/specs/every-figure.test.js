@@ -52,32 +52,18 @@ for (let example = 0; example < MANY; example += 1)
         id,
       );
       // A force that was looked for is read under it, before the load is taken off.
-      const found = report.steps.findIndex((/** @type {any} */ { answers }) =>
-        answers.some((/** @type {any} */ { name }) => name === 'force_found'),
+      const isSought = report.answers.some(
+        (/** @type {any} */ { name }) => name === 'force_found',
       );
-      const step = report.steps.at(found);
+      const step = report.steps.at(isSought ? 0 : -1);
+      const all = [...report.answers, ...step.answers];
+      const answers = [false, true].flatMap((is) => all.filter(({ detail }) => detail === is));
       const of = await page.locator('.steps output').textContent();
       assert.match(of ?? '', new RegExp(`^${report.steps.indexOf(step) + 1} of `));
-      const whole =
-        (await page.locator('#headline .verdict-text span:last-child').textContent()) ?? '';
-      // Behind a depth stands where it is along the surface.
-      const [along = '', where = ''] =
-        /(?<= deep)( at (?:[xyr]′? −?[\d.]+ mm(?:, )?)+)(?= |[.;])/.exec(whole)?.slice(0, 2) ?? [];
-      const said = whole.replace(along, '');
-      const strain = step.answers.find(
-        (/** @type {any} */ { name }) => name === 'max_plastic_strain',
+      assert.equal(
+        await page.locator('#headline .verdict-text span:last-child').textContent(),
+        step.verdict.text,
       );
-      for (const one of figuresIn(where))
-        assert.ok(among(one, [strain.place.x, strain.place.y]), whole);
-      const text = step.verdict.text.replace(/\d[\d.]*e-?\d+/g, (/** @type {string} */ one) =>
-        String(Number(one)),
-      );
-      const meant = figuresIn(text);
-      figuresIn(said).forEach(({ value, last }, k) =>
-        assert.ok(Math.abs(value - meant[k].value) <= Math.max(last, meant[k].last), said),
-      );
-      const words = (/** @type {string} */ said) => said.replace(/[\d.·⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/g, '');
-      assert.equal(words(said), words(text));
       await page.locator('#headline .rest summary').click();
       const cards = await page.locator('#headline [data-row]').evaluateAll((all) =>
         all.map((one) => {
@@ -90,17 +76,17 @@ for (let example = 0; example < MANY; example += 1)
       );
       assert.deepEqual(
         cards.map(({ name }) => name),
-        step.answers.map((/** @type {any} */ { name }) => name),
+        answers.map(({ name }) => name),
       );
       let count = 0;
       cards.forEach(({ figure, words }, k) => {
-        const { value, error, elastic, place, text, quantity } = step.answers[k];
+        const { value, error, elastic, place, text, quantity, at_most: most } = answers[k];
         const share = ['strain', 'ratio'].includes(quantity) ? 100 : 1;
         const shown = figuresIn(figure.replace(/(mm|N|MPa|%|mrad).*$/, ''));
         if (value === null) assert.ok(figure.startsWith('—'), figure);
         else
           assert.ok(
-            shown.length === 1 && among(shown[0], [value * share]),
+            shown.length === 1 && among(shown[0], [value * share, most * share]),
             `${figure} is not ${value}`,
           );
         const numbers = [
@@ -115,7 +101,7 @@ for (let example = 0; example < MANY; example += 1)
         for (const one of figuresIn(words)) {
           assert.ok(
             among(one, numbers),
-            `${one.value} of “${words}” is not in ${JSON.stringify(step.answers[k])}`,
+            `${one.value} of “${words}” is not in ${JSON.stringify(answers[k])}`,
           );
           count += 1;
         }
@@ -131,7 +117,8 @@ for (let example = 0; example < MANY; example += 1)
         const of = report.steps[k];
         const numbers = [k + 1];
         // Of a share the error is one.
-        for (const { error, value } of of.answers) numbers.push(100 * error * Math.abs(value));
+        for (const { error, value } of of.answers)
+          if (typeof error === 'number') numbers.push(100 * error * Math.abs(value));
         const walk = (/** @type {any} */ part) => {
           if (typeof part === 'number') numbers.push(part, 100 * part);
           else if (

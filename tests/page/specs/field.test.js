@@ -231,8 +231,10 @@ for (const [what, change, slack] of /** @type {[string, object, number][]} */ ([
           };
           return { mesh, frame: frameOf(job, name, mesh) };
         });
-        const lift = lifts(upper, lower, step);
         const { x } = step.contact.nodes;
+        const row = (/** @type {string} */ name) =>
+          step.answers.find((/** @type {any} */ one) => one.name === name);
+        const lift = lifts(upper, lower, x, row('peak_pressure').place.x, row('approach').value);
         const [up, low] = [surfaceNodes(upper, x), surfaceNodes(lower, x)];
         return [0, 1, 2, 20].map((factor) => {
           const lifted = lift(factor);

@@ -389,7 +389,7 @@ service.test(
       await dialog.getByLabel(scale, { exact: true }).uncheck();
     await dialog.getByRole('button', { name: 'Measure' }).click();
     await dialog.getByText('Choose a scale.').waitFor();
-    for (const scale of ['HBW 2.5/187.5', 'HRB'])
+    for (const scale of ['HBW 2.5/187.5', 'HRC'])
       await dialog.getByLabel(scale, { exact: true }).check();
     await dialog.getByRole('button', { name: 'Measure' }).click();
     const rows = dialog.locator('tbody tr');
@@ -397,9 +397,14 @@ service.test(
     await rows.first().getByRole('button', { name: 'Show' }).waitFor();
     const [number, diameter] = await rows.first().locator('td').allTextContents();
     assert.match(number, /^1\d\d(\.\d)? ±/, 'some 1.0 to 1.5 times three of 355 MPa');
-    assert.ok(Number(diameter) > 0.8 && Number(diameter) < 1.5, diameter);
-    await rows.first().getByRole('button', { name: 'Show' }).click();
-    await page.locator('#headline').getByText(/HBW 2.5\/187.5: 1\d\d/).waitFor(); // prettier-ignore
+    const millimetres = Number(diameter.replace(' mm', ''));
+    assert.ok(millimetres > 0.8 && millimetres < 1.5, diameter);
+    await rows.nth(1).getByText('The scale HRC is for 20 to 70 by its standard.').waitFor();
+    await rows.nth(1).getByRole('button', { name: 'Show' }).click();
+    await page
+      .locator('#headline')
+      .getByText(/^Keep in mind: .*outside scale/)
+      .waitFor();
   },
 );
 

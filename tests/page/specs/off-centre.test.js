@@ -13,12 +13,13 @@ const service = suite();
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** The contact of the first step, as the service has it. @param {Page} page @param {string} id @returns {Promise<any>} */
+/** Patches and half-width of the first step, as the service has them. @param {Page} page @param {string} id @returns {Promise<{patches: any[], half: number}>} */
 const contactOf = (page, id) =>
-  page.evaluate(
-    async (id) => (await (await fetch(`v1/jobs/${id}/result`)).json()).steps[0].contact,
-    id,
-  );
+  page.evaluate(async (id) => {
+    const [{ contact, answers }] = (await (await fetch(`v1/jobs/${id}/result`)).json()).steps;
+    const { value } = answers.find((/** @type {any} */ { name }) => name === 'half_width');
+    return { patches: contact.patches, half: value };
+  }, id);
 
 /** The first drawing of the report: its curves and the box of its axes. @param {Page} page */
 const firstDrawing = (page) =>
@@ -44,7 +45,7 @@ const firstDrawing = (page) =>
 
 service.test('the pressure is in its chart wherever the contact lies', async (page) => {
   const id = await shown(page, OFF_CENTRE);
-  const { patches, half_width: half } = await contactOf(page, id);
+  const { patches, half } = await contactOf(page, id);
   assert.ok(patches[0].left > half, 'the contact is beside x = 0');
   const over = page.locator('#panel-pressure .plot .reach');
   const size = await over.boundingBox();

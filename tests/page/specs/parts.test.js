@@ -66,7 +66,7 @@ test('where a job has no answer the next one is offered', () => {
     );
   const step = (/** @type {string} */ status, /** @type {number} */ force) => ({
     status,
-    contact: { force },
+    answers: [{ name: 'force', value: force }],
     verdict: { level: status },
   });
   assert.deepEqual(offered({ force: 9 }, [step('converged', 9)]), []);

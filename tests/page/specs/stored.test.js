@@ -4,13 +4,14 @@ import assert from 'node:assert/strict';
 import { copyFile, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 import { suite } from '../browser.js';
+import { draft } from '../jobs.js';
 
 const STORED = new URL('../../stored/version_0_2.db', import.meta.url);
 
 const service = suite();
 
 service.test(
-  'a result of 0.2.0 is shown with its figures, its field and its line over depth',
+  'a result of 0.2.0 is said to be one of an older version, and its job is solved again',
   async (page, { server }) => {
     await server.kill();
     for (const rest of ['brinell.db-wal', 'brinell.db-shm'])
@@ -21,23 +22,16 @@ service.test(
     assert.deepEqual(jobs[0].tags, { part: 'ball' });
     await page.goto(`${server.url}/#job=${jobs[0].id}`);
     await page.reload();
-    // Its figures are in the table, whatever later results say besides.
-    await page.locator('#headline').getByText('Of an older result').waitFor();
-    await page.locator('#panel-dent .plot[aria-label*="0.002746 mm deep"]').waitFor();
-    const table = page.locator('#panel-figures');
-    await table
-      .getByText(/^0\.0054\d/)
-      .first()
-      .waitFor();
-    await page.getByLabel('Step', { exact: true }).fill('0');
-    await table
-      .getByText(/^13\d\d/)
-      .first()
-      .waitFor();
-    await page.waitForFunction(() =>
-      document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of'),
-    );
-    await page.locator('.plot').first().waitFor();
+    await page.getByText('Solved by an older version').waitFor();
+    const { analysis, load, tags } = await draft(page);
+    assert.deepEqual([analysis, tags], ['axisymmetric', jobs[0].tags]);
+    // Whatever the form has come to, the job that is shown is solved.
+    await page.getByLabel('Analysis', { exact: true }).selectOption('plane_strain');
+    await page.getByRole('button', { name: 'Solve again' }).click();
+    await page.locator('[data-status=succeeded]').waitFor();
+    assert.deepEqual((await draft(page)).load, load);
+    await page.locator('#headline .verdict-text').waitFor();
+    assert.notEqual(page.url().split('#job=')[1], jobs[0].id);
   },
   { own: [] },
 );

@@ -330,7 +330,7 @@ const TASKS = [
       await user.type('/load/rolling/passes', '12');
       await user.solve();
       await page.locator('[data-status=succeeded]').waitFor();
-      await page.locator('#headline').getByText('with kinematic hardening').waitFor();
+      await page.locator('#headline').getByText('with kinematic hardening').first().waitFor();
       await page.locator('#panel-passes svg').first().waitFor();
     },
   ],
@@ -365,7 +365,7 @@ const QUESTIONS = [
     async (user, page) => {
       await user.solve();
       await page
-        .locator('#headline .verdict-text.warning')
+        .locator('#headline .verdict-text.attention')
         .getByText(/^Yields/)
         .waitFor();
     },

@@ -86,23 +86,23 @@ names! {
     StrainPerPass "Strain of a steady pass" Strain Mesh
         "plastic strain that each pass, or pair of passes, adds or moves";
     TrackDepth "Depth of the track" Length Mesh
-        "how far all passes have sunk the surface, on the axis";
+        "how far the surface has sunk, on the axis";
     ForwardDisplacement "Forward displacement" Length Mesh
         "of the surface along the travel, by the last pass";
     PassStrain "Strain, last pass" Strain Mesh
-        "plastic strain that the pass has accumulated, largest of all layers";
+        "accumulated by the pass, largest of all layers";
     NetStrain "Net strain, last pass" Strain Mesh
-        "plastic strain that the pass has not taken back, largest of all layers";
+        "kept by the pass, largest of all layers";
     LeastSigmaX "Least residual σ_x" Stress Mesh
-        "along the travel, the least over depth after the pass";
+        "along the travel, least over depth";
     LargestSigmaX "Largest residual σ_x" Stress Mesh
-        "along the travel, the largest over depth after the pass";
+        "along the travel, largest over depth";
     LeastSigmaZ "Least residual σ_z" Stress Mesh
-        "across the travel, the least over depth after the pass";
+        "across the travel, least over depth";
     LargestSigmaZ "Largest residual σ_z" Stress Mesh
-        "across the travel, the largest over depth after the pass";
+        "across the travel, largest over depth";
     RollingForce "Rolling force" Force Mesh
-        "against which the load is pushed in the pass, without friction";
+        "against the travel in the pass, without friction";
     RollingResistance "Rolling resistance" Ratio Mesh "rolling force over the load";
     PassWork "Plastic work of the pass" Force Mesh
         "of plastic flow in both bodies, per length of travel";
@@ -142,7 +142,7 @@ names! {
     Force "Force" Force Mesh "contact force";
     MeanPressure "Mean pressure" Stress Mesh "force over the contact";
     MaxPlasticStrain "Largest plastic strain" Strain Mesh
-        "largest equivalent plastic strain; of a load that rolls accumulated by all passes";
+        "accumulated since the bodies were at rest";
     MeanPlasticStrain "Mean plastic strain" Strain Mesh
         "mean equivalent plastic strain over the area of the section that has yielded";
     Utilization "Utilization" Ratio Exact
@@ -152,8 +152,7 @@ names! {
         "largest von Mises stress over the yield stress below a hardened case";
     PlasticDepth "Plastic depth" Length None "depth down to which there is plastic strain";
     ShakedownPressure "Shakedown pressure" Stress Exact
-        "Hertz's peak up to which perfectly plastic bodies shake down; `place` is the depth that \
-         decides";
+        "Hertz's peak up to which perfect plasticity shakes down";
     KinematicShakedownPressure "Kinematic shakedown" Stress None
         "the same of bodies whose backstress has no bound, on these layers";
     EffectiveRadius "Effective radius" Length Exact

@@ -20,6 +20,7 @@
 //! held.
 
 use super::findings::{Finding, Known, left_unknown};
+use super::known::ErrorEstimate;
 use super::surface_stress::UncertainStress;
 use super::validity;
 use crate::contact::ContactLoad;
@@ -42,16 +43,6 @@ const WITH_FORCE: f64 = 0.5;
 pub(super) const BESIDE: f64 = 2.5;
 /// Exponent of the force in the growth of plastic strain well beyond the onset of yield.
 const STRAIN_WITH_FORCE: f64 = 1.5;
-
-/// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases
-/// and say nothing about the theory: for that see `validity`.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct ErrorEstimate {
-    /// Of each figure \[1 >= 0\].
-    pub figures: Values,
-    /// Of the contact stiffness, where there is one \[1 >= 0\].
-    pub contact_stiffness: Option<f64>,
-}
 
 /// Returns the error bars of a load step. Returns `None` without an answer or without a coarser
 /// mesh, and where a finding takes the estimate away. Single figures have no bar where a finding

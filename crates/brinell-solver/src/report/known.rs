@@ -1,11 +1,20 @@
 //! Figures of a load step of which its rows and its verdict are made, in N–mm–MPa. The engine of
 //! the step fills them; the document has rows alone.
 
-use super::error_bars::ErrorEstimate;
 use super::rolling::Rolled;
 use crate::contact::ContactLoad;
-use crate::solver::method::figures::Figures;
+use crate::solver::method::figures::{Figures, Values};
 use crate::solver::{Energy, SolveStatus};
+
+/// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases
+/// and say nothing about the theory: for that see `validity`.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct ErrorEstimate {
+    /// Of each figure \[1 >= 0\].
+    pub figures: Values,
+    /// Of the contact stiffness, where there is one \[1 >= 0\].
+    pub contact_stiffness: Option<f64>,
+}
 
 /// What is known of a step.
 #[derive(Debug, Clone)]

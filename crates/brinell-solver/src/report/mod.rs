@@ -45,7 +45,7 @@ pub use answers::{
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use cost::JobEstimate;
 pub use document::*;
-pub use error_bars::{ErrorEstimate, estimate_error, scales_of_floors};
+pub use error_bars::{estimate_error, scales_of_floors};
 pub use field_arrays::{
     FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, encode_fields,
     encode_layers,
@@ -58,6 +58,7 @@ pub use flow::{IncrementsReport, SurfaceReport};
 pub use half_spaces::{
     MapsReport, PressureQuantiles, RollerReport, SectionReport, unknown_figures,
 };
+pub use known::ErrorEstimate;
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;
 pub use rolling::{

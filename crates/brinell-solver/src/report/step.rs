@@ -128,7 +128,8 @@ impl<'a, E: Shown> StepWriter<'a, E> {
             self.seen.dented_under = self.seen.dented_under.max(force);
         }
         let facts = Facts { job, known: &known, measured: &measured, findings: &findings, write };
-        let (verdict, answers) = facts.answered();
+        let answers = facts.rows();
+        let verdict = facts.verdict(&answers);
         let verdict = self.seen.hardness.before(verdict, job, write);
         StepReport {
             load: match step.load {

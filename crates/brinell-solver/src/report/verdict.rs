@@ -120,21 +120,6 @@ impl Facts<'_> {
         }
     }
 
-    /// Returns the value of a row with its unit, in the digits that its bar carries.
-    fn said(&self, row: &Answer) -> String {
-        let value = row.value.unwrap_or_default();
-        let (factor, unit) = match row.quantity {
-            Quantity::Strain | Quantity::Ratio => (100.0, "%"),
-            _ => (1.0, row.unit.as_str()),
-        };
-        let (value, digits, at_most) = match row.at_most.filter(|_| row.at_least.is_none()) {
-            Some(most) => (most, UNBOUNDED_DIGITS, "at most "),
-            None => (value, row.error.digits(value), ""),
-        };
-        let value = to_digits(factor * value, digits);
-        format!("{at_most}{value} {unit}").trim_end().to_owned()
-    }
-
     fn judged(&self, rows: &[Answer]) -> (VerdictLevel, String) {
         let has = |is: fn(&Finding) -> bool| self.findings.iter().any(is);
         if has(|finding| matches!(finding, Finding::Collapse { .. })) {
@@ -208,7 +193,7 @@ impl Facts<'_> {
     fn elastic(&self, rows: &[Answer]) -> String {
         let row = |name: Name| rows.iter().find(|row| row.is(name) && row.value.is_some());
         if let Some(first) = row(Name::FirstYieldForce) {
-            let force = self.said(first);
+            let force = said(first);
             if self.job.load == Load::Onset {
                 return format!("First yield: a body begins to yield under this force, {force}.");
             }
@@ -220,7 +205,7 @@ impl Facts<'_> {
         match row(Name::Utilization) {
             Some(used) => format!(
                 "Elastic: the largest von Mises stress is {} of the yield stress.",
-                self.said(used)
+                said(used)
             ),
             None => "Elastic: no body yields.".to_owned(),
         }
@@ -269,20 +254,20 @@ impl Facts<'_> {
             let depth = most.place.map_or(0.0, |place| place.depth);
             return Some(format!(
                 "largest plastic strain {}, {} deep{}",
-                self.said(most),
+                said(most),
                 self.with_unit(about, Quantity::Length, depth),
                 body(most)
             ));
         }
         let mean = row(Name::MeanPlasticStrain)?;
-        Some(format!("mean plastic strain {}{}", self.said(mean), body(mean)))
+        Some(format!("mean plastic strain {}{}", said(mean), body(mean)))
     }
 
     fn dented(&self, rows: &[Answer]) -> String {
         let dents: Vec<_> = rows
             .iter()
             .filter(|row| row.is(Name::DentDepth) && row.value > Some(0.0))
-            .map(|row| (self.said(row), row.body))
+            .map(|row| (said(row), row.body))
             .collect();
         let dent = match &dents[..] {
             [] => "The load has left plastic strain and no dent".to_owned(),
@@ -298,7 +283,7 @@ impl Facts<'_> {
             ),
         };
         let tension = rows.iter().find(|row| row.is(Name::ResidualTension));
-        let tension = tension.map(|most| format!(", with tension up to {}", self.said(most)));
+        let tension = tension.map(|most| format!(", with tension up to {}", said(most)));
         let strain = self.strained(rows).map(|strain| format!("; {strain}"));
         format!("{dent}{}{}.", tension.unwrap_or_default(), strain.unwrap_or_default())
     }
@@ -330,6 +315,21 @@ impl Facts<'_> {
     }
 }
 
+/// Returns the value of a row with its unit, in the digits that its bar carries.
+fn said(row: &Answer) -> String {
+    let value = row.value.unwrap_or_default();
+    let (factor, unit) = match row.quantity {
+        Quantity::Strain | Quantity::Ratio => (100.0, "%"),
+        _ => (1.0, row.unit.as_str()),
+    };
+    let (value, digits, at_most) = match row.at_most.filter(|_| row.at_least.is_none()) {
+        Some(most) => (most, UNBOUNDED_DIGITS, "at most "),
+        None => (value, row.error.digits(value), ""),
+    };
+    let value = to_digits(factor * value, digits);
+    format!("{at_most}{value} {unit}").trim_end().to_owned()
+}
+
 /// Digits of a figure that nothing bounds, and the most of any.
 const UNBOUNDED_DIGITS: usize = 2;
 const MOST_DIGITS: usize = 5;
@@ -355,7 +355,7 @@ mod tests {
     #[test]
     fn the_last_digit_is_that_of_the_error() {
         for (value, error, digits) in
-            [(0.278, 0.37, 1), (1.45, 0.11, 2), (9.5, 0.02, 2), (1150.4, 0.0086, 3), (3.0, 0.0, 5)]
+            [(0.278, 0.37, 1), (1.45, 0.11, 2), (9.5, 0.02, 2), (1150.4, 0.0086, 4), (3.0, 0.0, 5)]
         {
             assert_eq!(ErrorBar::Relative(error).digits(value), digits, "{value} {error}");
         }

@@ -159,7 +159,7 @@ fn a_width_below_an_element_is_not_known() {
         "load": {"history": [{"force": 5}, {"force": 2500}]}, "solver": {"theory": "flow"},
         "mesh": {"elements_per_half_width": 8}});
     let [little, more] = <[StepReport; 2]>::try_from(solve(&pin).steps).unwrap();
-    assert_eq!([value(&little, "force"), little[Name::HalfWidth]], [5.0, 0.0]);
+    assert_eq!(value(&little, "force"), 5.0);
     for name in ["half_width", "mean_pressure"] {
         let unknown = answer(&little, name);
         assert_eq!([unknown.value, unknown.error.bound()], [None; 2], "{unknown:?}");
@@ -303,7 +303,7 @@ fn rough_surfaces_lead_with_their_contact() {
     assert!(step.validity.iter().any(|note| note.code == "surface_end"));
     let peak = answer(step, "peak_pressure");
     assert!(peak.text.contains("without the cells of the rim"), "{peak:?}");
-    assert!(peak.value.unwrap() < step[Name::PeakPressure]);
+    assert!(peak.value.unwrap() < value(step, "largest_cell_pressure"));
     let place = peak.place.unwrap();
     assert!(place.x.abs() < 0.05 && place.y.unwrap().abs() < 0.05, "{place:?}");
 }

@@ -59,6 +59,25 @@ fn a_collapse_says_which_increment_has_no_answer() {
     assert!(last - before < 0.02 * 30_000.0, "{before} {last}");
 }
 
+/// A coarse history that collapses tells neither how wide the contact becomes nor where it yields: the
+/// iterations of a fine mesh of that size took seconds each, and the job had no end in 150 s.
+#[test]
+#[ignore = "full"]
+fn a_collapse_sizes_no_mesh() {
+    let report = report(&json!({
+        "lower": {"shape": {"type": "block", "width": 80, "depth": 40},
+            "material": {"young_modulus": 210_000, "poisson_ratio": 0.3,
+                "plasticity": {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 0}}},
+        "load": {"hardness": "HBW 10/1000"},
+        "output": {"subsurface": false},
+    }));
+    let step = &report.steps[0];
+    assert_eq!(step.status, SolveStatus::NotConverged);
+    assert!(says(step, "collapse").is_some());
+    let nodes = report.mesh.nodes;
+    assert!(nodes < 15_000, "{nodes}");
+}
+
 /// What follows an increment that has diverged is no collapse of a body.
 #[test]
 fn a_divergence_is_no_collapse() {

@@ -44,7 +44,7 @@ fn an_onset_on_a_rounded_edge_is_that_of_the_closed_form() {
         let onset = step.row(Name::FirstYieldForce).unwrap();
         let (found, place) = (onset.value.unwrap(), onset.place.unwrap());
         let error = (found / exact - 1.0).abs();
-        assert!(error < 0.02 && error < onset.error.bound().unwrap(), "{edge_radius}: {found}",);
+        assert!(error < 0.02 && error < onset.error.bound().unwrap(), "{edge_radius}: {found}");
         assert!(
             (place.x.abs() + edge_radius - 2.0).abs() < 0.02 && place.depth < 0.01,
             "{onset:?}"

@@ -125,7 +125,8 @@ fn check_rows(step: &StepReport, text: &str) {
     );
     let strain = step.row(Name::MaxPlasticStrain).and_then(|row| row.value.or(row.at_most));
     match verdict.level {
-        VerdictLevel::Elastic => assert!(strain.is_none_or(|strain| strain == 0.0), "{text}"),
+        // A residual stress of rounding leaves a strain of 4e-18.
+        VerdictLevel::Elastic => assert!(strain.is_none_or(|strain| strain < 1e-15), "{text}"),
         VerdictLevel::AboveShakedownLimit => {
             let elastic = step.elastic(Name::PeakPressure);
             assert!(elastic > step.value(Name::ShakedownPressure), "{verdict:?}\n{text}");

@@ -246,7 +246,8 @@ fn the_onset_of_yield_is_reported_with_its_place() {
     assert!(place.x.abs() < 0.1 * step[Name::HalfWidth]);
     job["upper"]["material"]["plasticity"]["yield_stress"] = json!(300.0);
     let softer = run(&job).steps.remove(0);
-    assert_eq!(softer.row(Name::FirstYieldForce).unwrap().body, Some(AnswerBody::Upper));
+    let place = softer.row(Name::FirstYieldForce).unwrap().place.unwrap();
+    assert_eq!(place.body, AnswerBody::Upper);
     assert!(run(&paper()).steps[0].row(Name::FirstYieldPeakPressure).is_none());
 }
 

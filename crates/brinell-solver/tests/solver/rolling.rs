@@ -306,7 +306,8 @@ fn every_figure_has_a_bar() {
     let courses = of_contact.map(|name| &passes(&step).contact[name.name()]).into_iter();
     for course in courses.chain(of_bodies.map(|name| of_body(&step, name))) {
         let has_bar = |error: &Option<f64>| error.is_some_and(|error| error > 0.0);
-        assert!(course.error.len() == 12 && course.error.iter().all(has_bar), "{course:?}");
+        assert!(course.error.len() == passes(&step).number.len(), "{course:?}");
+        assert!(course.error.iter().all(has_bar), "{course:?}");
     }
     for answer in &step.answers {
         assert!(answer.value.is_some_and(f64::is_finite), "{answer:?}");
@@ -622,11 +623,11 @@ fn random_jobs_have_an_answer_or_a_reason() {
         if step.status == SolveStatus::NotConverged {
             let law = &value["lower"]["material"]["plasticity"];
             println!(
-                "{number}: {:?}, residual {:?}, friction {}, Hertz's peak {:.0} MPa, {law}, {}",
+                "{number}: {:?}, residual {:?}, friction {}, Hertz's peak {:.0?} MPa, {law}, {}",
                 reasons,
                 step.history.last().map(|record| record.equilibrium_residual),
                 value["load"]["rolling"]["friction"],
-                step.elastic(Name::PeakPressure).unwrap(),
+                step.elastic(Name::PeakPressure),
                 value["upper"]["material"]
             );
         }

@@ -21,9 +21,13 @@ fn told(job: &Value) -> (Vec<String>, bool) {
         Ok(report) => serde_json::to_value(report).unwrap(),
         Err(error) => return (vec![error.to_string()], true),
     };
-    let mut found = Vec::new();
-    collect(&report["steps"], &mut found);
-    (found, report["status"] == "converged")
+    let (mut found, is_answer) = (Vec::new(), report["status"] == "converged");
+    for step in report["steps"].as_array().unwrap() {
+        // What a body that collapses has come to is not the same twice: it has its verdict.
+        let is_collapse = step["verdict"]["level"] == "collapse";
+        collect(if is_collapse { &step["verdict"]["text"] } else { step }, &mut found);
+    }
+    (found, is_answer)
 }
 
 fn sentences(job: &Value) -> Vec<String> {
@@ -46,9 +50,11 @@ fn collect(value: &Value, found: &mut Vec<String>) {
 fn factor(unit: &str) -> Option<f64> {
     Some(match unit {
         "mm" => 1e-3,
+        "mm²" => 1e-6,
+        "mm³" => 1e-9,
         "MPa" => 1e6,
         "N/mm" => 1e3,
-        "m" | "Pa" | "N/m" => 1.0,
+        "m" | "m²" | "m³" | "Pa" | "N/m" => 1.0,
         _ => return None,
     })
 }

@@ -97,7 +97,8 @@ fn peak(step: &StepReport) -> f64 {
 }
 
 fn half_width(step: &StepReport) -> f64 {
-    step[Name::HalfWidth]
+    // A contact in three dimensions has two of them.
+    step.value(Name::HalfWidth).unwrap_or_else(|| step[Name::SemiAxisA])
 }
 
 fn approach(step: &StepReport) -> f64 {

@@ -6,7 +6,7 @@ import brinell
 client = brinell.Client()
 roller = brinell.cylinder(radius=20, material=brinell.steels["52100"])
 result = client.solve(brinell.job(roller, roller, analysis="plane_strain", force=2000))
-result.peak_pressure
+result["peak_pressure"]
 ```
 """
 
@@ -64,8 +64,8 @@ from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
 from ._result import Result
-from ._rolling import Rolling
-from ._step import Answer, Pressure, Remark, Step, Verdict
+from ._rows import Row
+from ._step import Pressure, Remark, Step, Verdict
 from ._study import Study, open_study
 from ._surface import Surface, surface
 from ._trace import Trace, trace
@@ -76,7 +76,6 @@ except PackageNotFoundError:  # pragma: no cover - run from its source without b
     __version__ = "0"
 
 __all__ = [
-    "Answer",
     "AsyncClient",
     "AsyncJob",
     "AsyncResult",
@@ -98,7 +97,7 @@ __all__ = [
     "QuotaExceeded",
     "Remark",
     "Result",
-    "Rolling",
+    "Row",
     "ServerDied",
     "ServerNotFound",
     "ServiceError",

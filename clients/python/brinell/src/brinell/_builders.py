@@ -125,7 +125,7 @@ def cylinder(
     material: Material,
     support: Support | None = None,
 ) -> ContactBody:
-    """Half a cylinder, a sphere in axisymmetry, held at its diametral plane.
+    """Half a cylinder, held at its diametral plane.
 
     Args:
         radius: Radius.
@@ -345,12 +345,13 @@ def sphere(
     rotation: Number | None = None,
     support: Support | None = None,
 ) -> ContactBody:
-    """A ball on a half-space; only in three dimensions.
+    """A ball: in axisymmetry half a sphere, held at its diametral plane; in three dimensions a
+    half-space with its curvature.
 
     Args:
         radius: Radius.
         rotation: Angle of the body about the normal, in degrees, from x towards y; 0 if it is left
-            out. Without unit.
+            out. Only in three dimensions. Without unit.
         material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """

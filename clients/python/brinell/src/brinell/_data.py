@@ -16,8 +16,8 @@ from ._errors import BrinellError, ServiceError
 from ._fields import Fields
 from ._found import found_of, tolerances_of
 from ._plain import need
-from ._rolling import Rolling
-from ._step import Answer, Pressure, Remark, Step, Verdict
+from ._rows import Row, line_of
+from ._step import Parts, Remark, Step
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 NO_HARDNESS = 'this result is of no hardness test: load={"hardness": "HBW 10/3000"}'
 
 
-class ResultData:
+class ResultData(Parts):
     """A result without its pictures and its words, which are made of it."""
 
     def __init__(
@@ -37,6 +37,10 @@ class ResultData:
         fetch: Callable[[str, int], bytes] | None = None,
         error: BrinellError | None = None,
     ) -> None:
+        if report is not None and "answers" not in report:
+            version = report.get("version", "an older one")
+            error = BrinellError(f"solved by version {version}, read no longer: solve it again")
+            report = None
         self._report = report
         self._fetch = fetch
         self.id = id
@@ -77,13 +81,7 @@ class ResultData:
     @cached_property
     def steps(self) -> list[Step]:
         """One for each load."""
-        return [Step(step, place, self.units) for place, step in enumerate(self.data["steps"], 1)]
-
-    def __len__(self) -> int:
-        return len(self.steps)
-
-    def __getitem__(self, place: int) -> Step:
-        return self.steps[place]
+        return [Step(step, place) for place, step in enumerate(self.data["steps"], 1)]
 
     @property
     def last(self) -> Step:
@@ -118,121 +116,35 @@ class ResultData:
         return str(self.data["analysis"])
 
     @property
-    def verdict(self) -> Verdict:
-        """The state of the bodies in one sentence."""
-        return self.last.verdict
+    def _step(self) -> dict[str, Any]:
+        return self.last.data
 
-    @property
-    def answers(self) -> list[Answer]:
-        """The figures that answer the job, in the order in which it asks for them."""
-        return self.last.answers
-
-    @property
-    def force(self) -> float:
-        """The contact force [N/mm of thickness; N in axisymmetry]."""
-        return self.last.force
-
-    @property
-    def approach(self) -> float:
-        """How far the supports have come together [mm]."""
-        return self.last.approach
-
-    @property
-    def peak_pressure(self) -> float:
-        """The largest contact pressure [MPa]."""
-        return self.last.peak_pressure
-
-    @property
-    def mean_pressure(self) -> float:
-        """The force over the contact [MPa]."""
-        return self.last.mean_pressure
-
-    @property
-    def half_width(self) -> float:
-        """Half the width of the contact; its radius in axisymmetry [mm]."""
-        return self.last.half_width
-
-    @property
-    def contact_stiffness(self) -> float:
-        """The slope of force over approach [N/mm²; N/mm in axisymmetry]; NaN where bodies yield,
-        unless the job asked for it."""
-        return self.last.contact_stiffness
-
-    @property
-    def max_plastic_strain(self) -> float:
-        """The largest equivalent plastic strain of both bodies."""
-        return self.last.max_plastic_strain
-
-    @property
-    def dent_depth(self) -> float:
-        """Depth of the deeper dent [mm] (theory `flow`); NaN unless the load is gone."""
-        return self.last.dent_depth
-
-    @property
-    def hertz(self) -> dict[str, Any]:
-        """The elastic contact under the same force, where there is a closed form; else empty."""
-        return self.last.hertz
-
-    @property
-    def relative_error(self) -> dict[str, float]:
-        """Bounds of the relative discretization errors by figure."""
-        return self.last.relative_error
+    @cached_property
+    def answers(self) -> list[Row]:
+        """The rows that follow from more than one load, then those of the last step."""
+        return [*map(Row.of, self.data["answers"]), *self.last.answers]
 
     @property
     def remarks(self) -> list[Remark]:
         """What to keep in mind about this answer, of all steps, each once."""
-        return list(dict.fromkeys(remark for step in self.steps for remark in step.remarks))
+        beside = [Remark(note["code"], note["message"]) for note in self.data.get("validity", [])]
+        all_of_them = [*beside, *(remark for step in self.steps for remark in step.remarks)]
+        return list(dict.fromkeys(all_of_them))
 
     @property
-    def rolling(self) -> Rolling | None:
-        """The passes of a load that rolls; None of all other loads."""
-        return self.last.rolling
-
-    @property
-    def target(self) -> dict[str, Any]:
-        """Of a job with a target: `force`, `wanted`, `reached`, `relative_error`; else empty."""
-        return self.data.get("target") or {}
-
-    @property
-    def hardness(self) -> dict[str, Any]:
-        """Of a hardness test: `number`, `number_error`, `bias` and what was measured; else
-        empty.
-        """
-        return self.data.get("hardness") or {}
-
-    @property
-    def yield_onset(self) -> dict[str, Any]:
-        """Of a job that asks for the onset of yield: `force`, `approach`, `peak_pressure`, where.
-
-        Else empty.
-        """
-        return self.last.data.get("yield_onset") or {}
-
-    @property
-    def pressure(self) -> Pressure:
-        """Pressure, nodal force and gap over x, as arrays."""
-        return self.last.pressure
-
-    @property
-    def subsurface(self) -> pd.DataFrame:
-        """Stresses over the depth below the middle of the contact, of both bodies."""
-        return self.last.subsurface
-
-    @property
-    def subsurface_below_peak(self) -> pd.DataFrame:
-        """The same below the peak pressure; empty where that is in the middle."""
-        return self.last.subsurface_below_peak
-
-    @property
-    def surface(self) -> pd.DataFrame:
-        """Height of both surfaces over x (theory `flow`)."""
-        return self.last.surface
+    def line(self) -> dict[str, Any]:
+        """Status, figures and remarks as the line of a table."""
+        if self._report is None or not self.steps:
+            return {"status": self.status, "remarks": ""}
+        codes = dict.fromkeys(remark.code for remark in self.remarks)
+        return {"status": self.status, **line_of(self.answers), "remarks": " ".join(codes)}
 
     @property
     def summary(self) -> pd.DataFrame:
-        """A row of figures for each step, numbered from 1."""
+        """A line of figures for each step, numbered from 1."""
         pandas = need("pandas", "pandas")
-        frame: pd.DataFrame = pandas.DataFrame([step.figures() for step in self.steps])
+        lines = [{"status": step.status, **line_of(step.answers)} for step in self.steps]
+        frame: pd.DataFrame = pandas.DataFrame(lines)
         frame.index = pandas.RangeIndex(1, len(frame) + 1, name="step")
         frame.attrs["units"] = self.units
         return frame
@@ -243,7 +155,7 @@ class ResultData:
         pandas = need("pandas", "pandas")
         curve = self.data.get("load_approach") or {
             "approach": [step.approach for step in self.steps],
-            "force": [step.force for step in self.steps],
+            "force": [step.get("force") for step in self.steps],
         }
         frame: pd.DataFrame = pandas.DataFrame(curve)
         return frame
@@ -265,12 +177,12 @@ class ResultData:
         A row for each increment: `step`, `displacement`, `force`, `diameter` of the contact, and
         `mean_pressure`, which is nan without contact.
         """
-        if not self.hardness:
+        if "hardness" not in self:
             raise BrinellError(NO_HARDNESS)
         pandas = need("pandas", "pandas")
         rows = [(1, 0.0, 0.0, 0.0)]
         for number, step in enumerate(self.steps, start=1):
-            ends = step.data["flow"]["increments"]
+            ends = step.data["increments"]
             columns = (ends["approach"], ends["force"], ends["half_width"])
             rows += [(number, h, f, 2 * a) for h, f, a in zip(*columns, strict=True)]
         frame: pd.DataFrame = pandas.DataFrame(

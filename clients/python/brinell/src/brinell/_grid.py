@@ -11,7 +11,6 @@ from pydantic import BaseModel
 from ._errors import InvalidJob
 from ._plain import JobLike, Quantity, document_of, need, plain, tokens_of, with_values
 from ._result import Result
-from ._step import NO_FIGURES
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -85,13 +84,9 @@ def table_of(points: Sequence[Mapping[str, Any]], at: Mapping[int, Result]) -> p
     if errors and isinstance(errors[0], InvalidJob) and all(errors):
         raise errors[0]
     for point, result in zip(points, results, strict=True):
-        figures = (
-            result.last.figures() if result.error is None and result.steps else dict(NO_FIGURES)
-        )
         error = str(result.error) if result.error is not None else ""
-        row = {**point, **figures, "status": result.status, "error": error}
         # A column named like a figure has the exact values of the grid.
-        rows.append({**row, **point})
+        rows.append({**point, **result.line, "error": error, **point})
     frame: pd.DataFrame = pandas.DataFrame(rows)
     frame.attrs["grid"] = list(points[0]) if points else []
     return frame

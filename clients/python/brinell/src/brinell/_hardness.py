@@ -20,7 +20,7 @@ def brinell_test(
     thickness: float | None = None,
     elements_per_half_width: int | None = None,
 ) -> models.ContactJob:
-    """Makes a Brinell test: `result.hardness["number"]` is HBW.
+    """Makes a Brinell test: `result["hardness"]` is HBW.
 
     Args:
         material: of the specimen, with a hardening law.
@@ -42,7 +42,7 @@ def vickers(
     thickness: float | None = None,
     elements_per_half_width: int | None = None,
 ) -> models.ContactJob:
-    """Makes a Vickers test by the cone of equal area: `result.hardness["number"]` is HV.
+    """Makes a Vickers test by the cone of equal area: `result["hardness"]` is HV.
 
     Args:
         material: of the specimen, with a hardening law.
@@ -62,7 +62,7 @@ def rockwell_c(
     thickness: float = 8.0,
     elements_per_half_width: int | None = None,
 ) -> models.ContactJob:
-    """Makes a Rockwell C test: `result.hardness["number"]` is HRC.
+    """Makes a Rockwell C test: `result["hardness"]` is HRC.
 
     Args:
         material: of the specimen, with a hardening law.

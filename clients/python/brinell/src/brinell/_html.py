@@ -8,18 +8,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from ._data import ResultData
-    from ._step import Answer
+    from ._rows import Row
 
-# Figures of a step of 0.2, which has no answers, with words and units [mm_N_MPa, SI].
-ROWS = (
-    ("peak_pressure", "peak pressure", ("MPa", "Pa")),
-    ("half_width", "half-width", ("mm", "m")),
-    ("mean_pressure", "mean pressure", ("MPa", "Pa")),
-    ("approach", "approach", ("mm", "m")),
-    ("force", "force", ("", "")),
-    ("max_plastic_strain", "largest plastic strain", ("", "")),
-    ("dent_depth", "dent", ("mm", "m")),
-)
 # Most steps that are shown.
 SHOWN = 12
 
@@ -31,35 +21,24 @@ def unit_of_force(result: ResultData) -> str:
     return "N/m" if result.units == "SI" else "N/mm"
 
 
-def _answer(answer: Answer) -> tuple[str, str, str, str, str]:
-    """Name, figure, error bar, Hertz's figure and unit of an answer."""
-    part = answer.quantity in ("strain", "ratio")
-    factor, unit = (100.0, "%") if part else (1.0, answer.unit)
-    is_known = not math.isnan(answer.value)
-    shown = f"{factor * answer.value:.5g}" if is_known else "not known"
-    bar = f"± {100 * answer.error:.2g} %" if answer.error > 0.0 else ""
-    hertz = f"{factor * answer.elastic:.5g}" if answer.elastic > 0.0 else ""
-    return (answer.label, shown, bar, hertz, unit if is_known or hertz else "")
+def _line(row: Row) -> tuple[str, str, str, str, str]:
+    """Name, figure, error bar, Hertz's figure and unit."""
+    factor, unit = (100.0, "%") if row.quantity in ("strain", "ratio") else (1.0, row.unit)
+    is_known = not math.isnan(row.value)
+    shown = f"{factor * row.value:.5g}" if is_known else "not known"
+    ends = {"≥": row.at_least, "≤": row.at_most}
+    bounds = [f"{sign} {factor * end:.3g}" for sign, end in ends.items() if not math.isnan(end)]
+    bar = f"± {100 * row.error:.2g} %" if row.error > 0.0 else " ".join(bounds)
+    hertz = f"{factor * row.elastic:.5g}" if row.elastic > 0.0 else ""
+    return (row.label, shown, bar, hertz, unit if is_known or bar or hertz else "")
 
 
 def _lines(result: ResultData) -> list[tuple[str, str, str, str, str]]:
-    """Name, figure, error bar, Hertz's figure and unit."""
-    if answers := result.last.answers:
-        # A force that is sought stands under its own name alone.
-        is_sought = any(one.name in ("force_found", "first_yield_force") for one in answers)
-        return [_answer(one) for one in answers if one.name != "force" or not is_sought]
-    lines = []
-    for name, words, units in ROWS:
-        value = getattr(result, name)
-        # After unloading, the remaining figures matter, not those under load.
-        if math.isnan(value) or (value == 0.0 and result.last.unloaded):
-            continue
-        error = result.relative_error.get(name)
-        bar = f"± {100 * error:.2g} %" if error else ""
-        hertz = result.hertz.get(name)
-        unit = unit_of_force(result) if name == "force" else units[result.units == "SI"]
-        lines.append((words, f"{value:.5g}", bar, f"{hertz:.5g}" if hertz else "", unit))
-    return lines
+    """The figures that answer the job."""
+    rows = [row for row in result.answers if not row.detail]
+    # A force that is sought stands under its own name alone.
+    is_sought = any(row.name in ("force_found", "first_yield_force") for row in rows)
+    return [_line(row) for row in rows if row.name != "force" or not is_sought]
 
 
 def _head(result: ResultData) -> str:
@@ -72,11 +51,17 @@ def text_of(result: ResultData) -> str:
     if result.error is not None or not result.steps:
         return f"<Result: {result.status}{f': {result.error}' if result.error else ''}>"
     remarks = [f"! {remark.code}: {remark.message}" for remark in result.remarks]
+    lines = _lines(result)
+    width = max([30, *(len(name) + 1 for name, *_ in lines)])
     rows = [
-        f"{name:30}{value:>12} {unit:6} {bar:10}{f'Hertz {hertz}' if hertz else ''}".rstrip()
-        for name, value, bar, hertz, unit in _lines(result)
+        f"{name:{width}}{value:>12} {unit:6} {bar:10}{f'Hertz {hertz}' if hertz else ''}".rstrip()
+        for name, value, bar, hertz, unit in lines
     ]
-    bars = ["± is the error of the mesh alone"] if result.relative_error else []
+    bars = (
+        ["± is the error of mesh and increments"]
+        if any("±" in bar for _, _, bar, _, _ in lines)
+        else []
+    )
     verdict = [result.verdict.text] if result.verdict.text else []
     return "\n".join([_head(result), *verdict, *remarks, *rows, *bars])
 
@@ -97,7 +82,7 @@ def html_of(result: ResultData) -> str:
     )
     table = (
         "<table><thead><tr><th></th><th></th><th></th>"
-        "<th>mesh error</th><th>Hertz, elastic</th></tr></thead>"
+        "<th>error</th><th>Hertz, elastic</th></tr></thead>"
         f"<tbody>{cells}</tbody></table>"
     )
     steps = _steps(result) if len(result.steps) > 1 else ""
@@ -108,11 +93,17 @@ def html_of(result: ResultData) -> str:
 
 def _steps(result: ResultData) -> str:
     shown = result.steps[:SHOWN]
-    names = ("force", "approach", "peak_pressure", "half_width")
-    head = "".join(f"<th>{name.replace('_', ' ')}</th>" for name in ("step", *names, "status"))
+    columns = (
+        ("force",),
+        ("approach", "permanent_approach"),
+        ("peak_pressure",),
+        ("half_width", "semi_axis_a"),
+    )
+    titles = ("step", *(names[0].replace("_", " ") for names in columns), "status")
+    head = "".join(f"<th>{title}</th>" for title in titles)
     rows = "".join(
         f"<tr><td>{step.place}</td>"
-        + "".join(f"<td>{getattr(step, name):.5g}</td>" for name in names)
+        + "".join(f"<td>{step.get(*names):.5g}</td>" for names in columns)
         + f"<td>{escape(step.status)}</td></tr>"
         for step in shown
     )

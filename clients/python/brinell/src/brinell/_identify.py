@@ -187,7 +187,10 @@ def identify(
     trials = _TRIALS[measured](document, force)
     for trial in trials:
         solver = trial.get("solver") or {}
-        if solver.get("theory", "flow") == "flow" and solver.get("method") != "paper":
+        if solver.get("theory", "flow") == "flow" and solver.get("method") not in (
+            "jiang_shang",
+            "paper",
+        ):
             trial["solver"] = {"increments": _INCREMENTS, **solver}
     compliance_scale = float(np.ptp(approach) / np.ptp(force))
     starts = {name: _start(document, name, where) for name, where in places.items()}
@@ -440,26 +443,27 @@ def _approaches(results: Sequence[Any], force: Floats) -> tuple[Floats, float]:
     (result,) = results
     if len(result.steps) != len(force):
         raise BrinellError("a trial has not all loads")
-    known = [step.relative_error.get("approach", 0.0) for step in result.steps]
-    return np.array([step.approach for step in result.steps]), max(known)
+    return np.array([step.approach for step in result.steps]), _most(result.steps, "approach")
 
 
 def _diameters(results: Sequence[Any], force: Floats) -> tuple[Floats, float]:
-    found = [result.hardness for result in results]
-    # The pressure has the square of the diameter.
-    known = [0.5 * (one["relative_error"] or 0.0) for one in found]
-    return np.array([one["diameter"] for one in found]), max(known)
+    return np.array([result["diameter"] for result in results]), _most(results, "diameter")
 
 
 def _heights(results: Sequence[Any], place: Floats) -> tuple[Floats, float]:
     (result,) = results
     step = result.steps[-1]
-    surface = ((step.data.get("flow") or {}).get("surfaces") or {}).get("lower")
+    surface = (step.data.get("surfaces") or {}).get("lower")
     if not surface:
         raise BrinellError('a dent needs theory="flow" and a lower body that yields')
-    answers = [one for one in step.answers if one.name == "dent_depth"]
-    known = [one.error for one in answers if math.isfinite(one.error)]
-    return np.interp(place, surface["x"], surface["height"]), max([0.0, *known])
+    heights = np.interp(place, surface["x"], surface["height"])
+    return heights, _most([step], "dent_depth")
+
+
+def _most(figures: Sequence[Any], name: str) -> float:
+    """The largest error of a figure that is bounded."""
+    errors: list[float] = [row.error for one in figures for row in one.answers if row.name == name]
+    return max([0.0, *(error for error in errors if math.isfinite(error))])
 
 
 _TRIALS = {"approach": _under_forces, "diameter": _tests, "dent": _as_it_is}

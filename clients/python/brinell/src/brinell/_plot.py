@@ -11,7 +11,6 @@ from ._errors import BrinellError
 from ._fields import BodyFields, Fields
 from ._html import unit_of_force
 from ._plain import need
-from ._rolling import Rolling
 from ._step import Step
 
 if TYPE_CHECKING:
@@ -38,9 +37,9 @@ TITLES = {
 ROLLED = {"sigma_x": "stress along the travel", "sigma_z": "stress across the travel"}
 # Limits over friction: words and line.
 LIMITS = {
-    "elastic_pressure": ("first yield", ":"),
-    "perfect_pressure": ("shakedown, perfectly plastic", "-"),
-    "kinematic_pressure": ("shakedown, kinematic hardening", "--"),
+    "elastic": ("first yield", ":"),
+    "perfect": ("shakedown, perfectly plastic", "-"),
+    "kinematic": ("shakedown, kinematic hardening", "--"),
 }
 WITHOUT_UNIT = ("equivalent_plastic_strain", "utilization")
 COLOURS = {"upper": "C0", "lower": "C1"}
@@ -64,6 +63,12 @@ class Plot:
         self._along = "r" if round_bodies else "x"
         self._titles = {**TITLES, **(OF_REVOLUTION if round_bodies else {})}
 
+    @property
+    def _widest(self) -> float:
+        """The largest half-width of all steps; 0 without one."""
+        widths = np.array([step.half_width for step in self._result.steps])
+        return float(np.nanmax(widths, initial=0.0))
+
     def pressure(
         self, step: int = -1, ax: Axes | None = None, label: str = "this contact"
     ) -> Axes:
@@ -72,11 +77,13 @@ class Plot:
         one = self._result.steps[step]
         contact = one.pressure
         touching = np.abs(contact.x[contact.pressure > 0.0])
-        ends = [*touching, one.half_width, one.hertz.get("half_width") or 0.0]
+        rows = {row.name: row.elastic for row in one.answers}
+        a, p = (rows.get(name, np.nan) for name in ("half_width", "peak_pressure"))
+        a = rows.get("semi_axis_a", a)
+        ends = [one for one in (*touching, one.half_width, a, 0.0) if np.isfinite(one)]
         reach = 1.3 * float(max(ends)) if max(ends) > 0.0 else float(np.max(np.abs(contact.x)))
         ax.plot(contact.x, contact.pressure, label=label)
-        if one.hertz and one.hertz["half_width"] > 0.0:
-            a, p = one.hertz["half_width"], one.hertz["peak_pressure"]
+        if a > 0.0 and p > 0.0:
             x = a * np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))
             ax.plot(
                 x, p * np.sqrt(np.maximum(0.0, 1.0 - (x / a) ** 2)), "k:", label="Hertz, elastic"
@@ -132,13 +139,13 @@ class Plot:
             ax.set_xlim(0.0, 5.0 * one.half_width)
         unit = "" if quantity in WITHOUT_UNIT else f" [{self._stress}]"
         title = self._titles.get(quantity, quantity) + unit
-        ax.set(xlabel=self._depth_at(one, values), ylabel=title)
+        ax.set(xlabel=self._depth_at(values), ylabel=title)
         ax.legend(frameon=False)
         return ax
 
-    def _depth_at(self, step: Step, profile: dict[str, Any]) -> str:
+    def _depth_at(self, profile: dict[str, Any]) -> str:
         """The axis of depths, and where it lies."""
-        place = step.place_of(profile)
+        place = profile["position"][0]
         return f"depth [{self._length}] at {self._along} = {place:.3g} {self._length}"
 
     def residual_stress(self, step: int = -1, body: str = "lower", ax: Axes | None = None) -> Axes:
@@ -152,8 +159,8 @@ class Plot:
         values = (one.data.get("subsurface") or {}).get(body)
         if not values:
             raise BrinellError(f"this step has no stresses over depth in the {body} body")
-        rolls = one.rolling is not None
-        if not (rolls or (one.unloaded and one.data.get("flow"))):
+        rolls = "passes" in one.data
+        if not (rolls or (one.unloaded and "surfaces" in one.data)):
             raise BrinellError(f"this step is under load, or does not know unloading: {UNLOAD}")
         for name in ("sigma_x", "sigma_z"):
             title = ROLLED[name] if rolls else self._titles[name]
@@ -162,16 +169,16 @@ class Plot:
             if before:
                 style: dict[str, Any] = {"color": line.get_color(), "label": f"{title}, before"}
                 ax.plot(values["depth"], before, ":", **style)
-        widest = max(step.half_width for step in self._result.steps)
+        widest = self._widest
         ax.axhline(0.0, color="0.7", linewidth=0.8)
         ax.set_xlim(0.0, 5.0 * widest if widest > 0.0 else None)
-        ax.set(xlabel=self._depth_at(one, values), ylabel=f"stress left [{self._stress}]")
+        ax.set(xlabel=self._depth_at(values), ylabel=f"stress left [{self._stress}]")
         ax.legend(frameon=False)
         return ax
 
     def passes(self, quantity: str = "net_strain", step: int = -1, ax: Axes | None = None) -> Axes:
         """A figure of both bodies over the passes of a load that rolls: `net_strain`,
-        `largest_strain`, `groove_depth`, `least_sigma_x`, or another of `rolling.passes`.
+        `pass_strain`, `track_depth`, `least_sigma_x`, or another of `passes`.
         """
         ax = _axes(ax)
         passes = self._rolling(step).passes
@@ -187,14 +194,11 @@ class Plot:
             values = passes[f"{name}_{quantity}"]
             style: dict[str, Any] = {"color": COLOURS[name], "markersize": 3}
             ax.plot(values.index, values, line, label=f"{name} body", **style)
-        if quantity in ("net_strain", "largest_strain") and (ax.get_ylim()[1] > 0.0):
+        if quantity in ("net_strain", "pass_strain") and (ax.get_ylim()[1] > 0.0):
             ax.set_yscale("log", nonpositive="mask")
-        unit = ""
-        if "sigma" in quantity:
-            unit = f" [{self._stress}]"
-        elif "strain" not in quantity or quantity.endswith(("_depth", "_across")):
-            unit = f" [{self._length}]"
-        ax.set(xlabel="pass", ylabel=quantity.replace("_", " ") + unit)
+        unit = self._result.steps[step].row(quantity).unit
+        title = quantity.replace("_", " ") + (f" [{unit}]" if unit else "")
+        ax.set(xlabel="pass", ylabel=title)
         ax.legend(frameon=False)
         return ax
 
@@ -204,28 +208,28 @@ class Plot:
         The ordinate is Hertz's peak pressure over the yield stress in shear.
         """
         ax = _axes(ax)
-        rolling = self._rolling(step)
-        limits = rolling.limits
-        k = limits.get("shear_yield_stress")
-        curve = limits.get("over_friction")
-        if not (k and curve):
+        one = self._rolling(step)
+        curve = one.data.get("shakedown")
+        k = one.get("shear_yield_stress")
+        if not (k > 0.0 and curve):
             raise BrinellError("no body of this job has a yield point, which limits are over")
         for name, (words, line) in LIMITS.items():
-            known = [(one["friction"], one[name] / k) for one in curve if one[name]]
+            columns = zip(curve["friction"], curve[name], strict=False)
+            known = [(friction, peak / k) for friction, peak in columns if peak]
             # Of ellipses the limit of perfect plasticity is known in free rolling alone.
             ax.plot(*zip(*known, strict=True), line if len(known) > 1 else "s", label=words)
-        here = self._result.steps[step].hertz["peak_pressure"] / k
-        ax.plot(abs(rolling.friction), here, "ko", label="this job")
+        here = one.row("peak_pressure").elastic / k
+        ax.plot(abs(one["friction"]), here, "ko", label="this job")
         ax.set(xlabel="friction |μ|", ylabel="Hertz's peak over k")
         ax.set_ylim(bottom=0.0)
         ax.legend(frameon=False)
         return ax
 
-    def _rolling(self, step: int) -> Rolling:
-        rolling = self._result.steps[step].rolling
-        if rolling is None:
+    def _rolling(self, step: int) -> Step:
+        one = self._result.steps[step]
+        if "passes" not in one.data:
             raise BrinellError('the load of this step does not roll: rolling={"force": 2000}')
-        return rolling
+        return one
 
     def field(
         self,
@@ -245,9 +249,7 @@ class Plot:
         drawn: Any = None
         for body in whole:
             drawn = _draw(ax, body, name, scale, one.approach, low, high)
-        reach = (
-            one.half_width or max(step.half_width for step in self._result.steps)
-        ) / CONTACT_PART
+        reach = (one.half_width if one.half_width > 0.0 else self._widest) / CONTACT_PART
         ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
         ax.set(xlabel=f"x [{self._length}]", ylabel=f"y [{self._length}]")
         unit = "" if name in WITHOUT_UNIT else f" [{self._stress}]"
@@ -262,9 +264,8 @@ class Plot:
         steps = self._result.steps
         if curve:
             ax.plot(curve["approach"], curve["force"], "-")
-        ax.plot(
-            [s.approach for s in steps], [s.force for s in steps], "o", color="C0", markersize=3
-        )
+        ends = np.array([(step.approach, step.get("force")) for step in steps])
+        ax.plot(*ends.T, "o", color="C0", markersize=3)
         ax.set(
             xlabel=f"approach [{self._length}]", ylabel=f"force [{unit_of_force(self._result)}]"
         )
@@ -275,23 +276,17 @@ class Plot:
         slope.
         """
         ax = _axes(ax)
-        found = self._result.hardness
         curve = self._result.hardness_curve
-        if found["number"] is None:
-            said = f"{found['test']}: {found['mean_pressure']:.4g} {self._stress}"
-        else:
-            said = f"{found['test']}: {found['number']:.4g}"
-        if found["relative_error"] is not None:
-            said += f" ± {100 * found['relative_error']:.1f} %"
-        elif found["number_error"] is not None:
-            said += f" ± {found['number_error']:.2g}"
+        found = self._result.row("hardness")
+        said = f"{found.label}: {found.value:.4g} {found.unit}".rstrip()
+        if found.error > 0.0:
+            said += f" ± {100 * found.error:.1f} %"
         ax.plot(curve["displacement"], curve["force"], ".-", markersize=3, label=said)
-        pharr = found.get("oliver_pharr")
-        if pharr:
-            top = float(curve["displacement"].to_numpy()[curve["force"].to_numpy().argmax()])
-            foot = top - found["force"] / pharr["stiffness"]
+        if (stiffness := self._result.get("oliver_pharr_stiffness")) > 0.0:
+            height, most = curve[["displacement", "force"]].to_numpy()[curve["force"].argmax()]
+            foot = height - most / stiffness
             words = "slope of unloading, Oliver and Pharr"
-            ax.plot([foot, top], [0.0, found["force"]], "k:", label=words)
+            ax.plot([foot, height], [0.0, most], "k:", label=words)
         ax.set(
             xlabel=f"displacement [{self._length}]",
             ylabel=f"force [{unit_of_force(self._result)}]",
@@ -305,15 +300,15 @@ class Plot:
         load is zero.
         """
         ax = _axes(ax)
-        flow = self._result.steps[step].data.get("flow")
-        if not flow:
+        bodies = self._result.steps[step].data.get("surfaces")
+        if not bodies:
             raise BrinellError(f"only flow theory knows dents: {UNLOAD}")
         factor, unit = (1e6, "µm") if self._result.units == "SI" else (1e3, "µm")
-        surfaces = {name: surface for name, surface in flow["surfaces"].items() if surface}
+        surfaces = {name: surface for name, surface in bodies.items() if surface}
         for (name, surface), line in zip(surfaces.items(), ("-", "--"), strict=False):
             height = factor * np.asarray(surface["height"])
             ax.plot(surface["x"], height, line, color=COLOURS[name], label=f"{name} body")
-        widest = max(step.half_width for step in self._result.steps)
+        widest = self._widest
         ax.axhline(0.0, color="0.7", linewidth=0.8)
         if widest > 0.0:
             ax.set_xlim(-3.0 * widest, 3.0 * widest)

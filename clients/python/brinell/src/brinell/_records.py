@@ -195,9 +195,8 @@ def _summary_of_step(step: dict[str, Any]) -> dict[str, Any]:
     large = ("subsurface", "subsurface_below_peak", "fields", "layers")
     made = {name: value for name, value in step.items() if name not in large}
     made["contact"] = {**contact, "nodes": {name: [] for name in contact["nodes"]}}
+    made["contact"].pop("maps", None)
     made["history"] = []
     zones = (step.get("plasticity") or {}).items()
     made["plasticity"] = {body: zone and {**zone, "outline": []} for body, zone in zones}
-    if spaces := step.get("three_dimensional"):
-        made["three_dimensional"] = {k: v for k, v in spaces.items() if k != "maps"}
     return made

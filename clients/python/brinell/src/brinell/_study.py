@@ -63,8 +63,7 @@ class Study:
                 jobs.append({})
                 continue
             result = Result(summary)
-            figures = result.last.figures() if result.steps else {}
-            rows.append({"version": summary["version"], **figures, "status": result.status})
+            rows.append({"version": summary["version"], **result.line})
             jobs.append(dict(_leaves(job, "")))
         given = pandas.DataFrame(jobs)
         if len(given):

@@ -14,6 +14,7 @@ import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from importlib.resources import files
+from numbers import Real
 from pathlib import Path
 from typing import Literal, TypeAlias
 
@@ -77,6 +78,11 @@ _FIGURE = re.compile(r"[^\w([]*\d")
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.IGNORECASE)
 _COMMA = re.compile(r"[-+]?\d*,\d+(e[-+]?\d+)?", re.IGNORECASE)
 _AMBIGUOUS = re.compile(r"[-+]?[1-9]\d{0,2},\d{3}")
+# Most letters of a line of a few figures: beyond it a file is none of lines.
+_LONGEST = 1000
+_UNSIGNED = "as true strain and true stress without signs"
+# Dashes that programs write for a minus.
+_DASH = re.compile("[\u2010-\u2013\u2212\ufe63\uff0d]")
 
 
 @dataclass(frozen=True)
@@ -104,14 +110,9 @@ def _refuse(code: str, detail: str) -> InvalidJob:
     return InvalidJob([Fault("#/table", code, detail)], "not taken as a table")
 
 
-def _plain_unit(name: str) -> str:
-    plain = re.sub(r"\s", "", name).replace("μ", "µ").replace("–", "-")
-    return re.sub(r"\^?2$", "²", plain)
-
-
 def _one(unit: str, kind: str) -> float | None:
     """One of a unit in mm, N and MPa; `None` where it is none of the kind."""
-    return _KINDS[kind].get(_plain_unit(unit))
+    return _KINDS[kind].get(re.sub(r"\^?2$", "²", "".join(unit.split()).replace("μ", "µ")))
 
 
 def _is_unit(name: str) -> bool:
@@ -125,8 +126,8 @@ def _plain(name: str) -> str:
 
 def _parts(header: str) -> tuple[str, str]:
     """Name and unit of a header: the unit in brackets, or behind the last words."""
-    if bracketed := re.fullmatch(r"(.*?)\s*[\[(]\s*([^\])]+?)\s*[\])]", header):
-        return bracketed[1], bracketed[2]
+    if bracketed := re.fullmatch(r"(.*?)[\[(]([^\])]+)[\])]", header):
+        return bracketed[1].strip(), bracketed[2].strip()
     for at in (0, *(match.end() for match in re.finditer(r"[\s/,_]", header))):
         if _is_unit(header[at:]):
             return re.sub(r"(\sin)?[\s/,_]*$", "", header[:at]), header[at:].strip()
@@ -189,22 +190,24 @@ def _columns(headers: list[list[str]]) -> list[_Column]:
     return columns
 
 
-def _facts(headers: list[list[str]], commas: bool) -> dict[str, float]:
+def _facts(headers: list[list[str]]) -> dict[str, float]:
     """Figures of the specimen in mm and mm²."""
     facts: dict[str, float] = {}
     for cells in headers:
         whole, *rest = cells if len(cells) > 1 else re.split(r"[:=]\s*", cells[0])
         split = re.fullmatch(r"([-+\d.,e]+)\s*(.*)", rest[0]) if rest else None
-        if not split:
+        try:
+            value = _float(split[1], _has_comma(split[1])) if split else 0.0
+        except InvalidJob:
+            continue  # Who reads the record asks for it.
+        if not split or value <= 0:
             continue
         name, unit = _parts(whole)
         fact = next((one for one, called in _FACTS.items() if called.fullmatch(_plain(name))), "")
         of = split[2] or unit or (rest[1] if len(rest) > 1 else "") or "mm"
         one = _one(re.sub(r"\^?[2²]$", "", of.strip("[]()")), "length")
         if fact and one:
-            facts[fact] = _float(split[1], commas or "," in split[1]) * one ** (
-                2 if fact == "section" else 1
-            )
+            facts[fact] = value * one ** (2 if fact == "section" else 1)
     if "section" not in facts and "diameter" in facts:
         facts["section"] = math.pi / 4 * facts["diameter"] ** 2
     elif "section" not in facts and {"width", "thickness"} <= facts.keys():
@@ -212,16 +215,23 @@ def _facts(headers: list[list[str]], commas: bool) -> dict[str, float]:
     return facts
 
 
+def _has_comma(text: str) -> bool:
+    """Whether a text is a number with a comma that cannot group thousands."""
+    return bool(_COMMA.fullmatch(text) and not _AMBIGUOUS.fullmatch(text))
+
+
 def _float(text: str, commas: bool) -> float:
-    plain = text.replace("\u2212", "-")
-    if _AMBIGUOUS.fullmatch(plain) and not commas:
+    if _AMBIGUOUS.fullmatch(text) and not commas:
         raise _refuse("not_understood", f"“{text}” has a decimal comma, or one of thousands")
-    if commas and "." in plain:
+    if commas and "." in text:
         raise _refuse("not_understood", f"“{text}” has a point, and others a decimal comma")
-    point = plain.replace(",", ".") if _COMMA.fullmatch(plain) else plain
+    point = text.replace(",", ".") if _COMMA.fullmatch(text) else text
     if not _NUMBER.fullmatch(point):
         raise _refuse("not_understood", f"“{text}” is not a number")
-    return float(point)
+    value = float(point)
+    if math.isinf(value) or (value == 0 and re.search("[1-9]", re.sub("(?i)e.*", "", point))):
+        raise _refuse("not_understood", f"“{text}” is too large or too close to 0 for a number")
+    return value
 
 
 def _strain_unit(points: list[list[float]], modulus: float) -> str:
@@ -259,6 +269,13 @@ def read_table(
     Raises:
         InvalidJob: what is lacking is named.
     """
+    if units is not None and [type(one) for one in units] != [str, str]:
+        raise _refuse("wrong_type", "units= are two names, of the first and the second column")
+    given = {"section": section, "gauge_length": gauge_length, "young_modulus": young_modulus}
+    for name, value in given.items():
+        is_figure = isinstance(value, Real) and 0 < value < math.inf
+        if not is_figure and (value is not None or name == "young_modulus"):
+            raise _refuse("wrong_type", f"{name}= is a figure above 0")
     text = _text_of(Path(source).read_bytes())
     if text is None:
         raise _refuse("not_understood", f"{Path(source).name} is no text")
@@ -272,25 +289,31 @@ def _read(
     given: Sequence[str] | None,
     modulus: float,
 ) -> Record:
-    lines = [line for line in re.split(r"\r\n?|\n", text.lstrip("\ufeff")) if line.strip()]
+    plain = _DASH.sub("-", text.lstrip("\ufeff"))
+    lines = [line for line in re.split(r"\r\n?|\n", plain) if line.strip()]
+    if any(len(line) > _LONGEST for line in lines):
+        detail = f"a line has more than {_LONGEST} letters: a point has a line of its own"
+        raise _refuse("not_understood", detail)
     separator = _separator(lines)
     rows = [cells for cells in (_cells(line, separator) for line in lines) if cells]
 
     def figures(cells: list[str]) -> int:
         return sum(1 for cell in cells if _FIGURE.match(cell))
 
+    def is_said(cells: list[str]) -> bool:
+        return cells[0][:1].isalpha() and figures(cells) < 2 and len(cells) < 4
+
     def is_body(cells: list[str]) -> bool:
-        is_said = cells[0][:1].isalpha() and figures(cells) < 2 and len(cells) < 4
-        return len(cells) > 1 and figures(cells) > 0 and not is_said
+        return len(cells) > 1 and figures(cells) > 0 and not is_said(cells)
 
     start = next((k for k, cells in enumerate(rows) if is_body(cells)), len(rows))
-    headers, body = rows[:start], [cells for cells in rows[start:] if is_body(cells)]
+    headers, body = rows[:start], rows[start:]
+    while body and is_said(body[-1]):
+        body.pop()
     if not body:
         raise _refuse("not_understood", "there are no figures in it")
     columns = _columns(headers)
-    commas = any(
-        _COMMA.fullmatch(cell) and not _AMBIGUOUS.fullmatch(cell) for row in body for cell in row
-    )
+    commas = any(_has_comma(cell) for row in body for cell in row)
 
     def place(roles: list[str]) -> int:
         those = [k for role in roles for k, one in enumerate(columns) if one.role == role]
@@ -307,6 +330,10 @@ def _read(
     units = list(given or ([columns[k].unit for k in at] if pair else ["", ""]))
     full = [row for row in body if all(k < len(row) and row[k] for k in at)]
     points = [[_float(row[k], commas) for k in at] for row in full]
+    names = [columns[k].name if columns else f"column {k + 1}" for k in at]
+    if all(up <= 0 for _, up in points):
+        detail = f"“{names[1]}” has no figure above 0: write a test in compression {_UNSIGNED}"
+        raise _refuse("not_understood", detail)
     notes = [f"{len(points)} points read"]
     is_force = bool(pair and pair[2] == ["force"])
     is_sure = any(one.role.startswith("engineering") for one in columns)
@@ -328,12 +355,11 @@ def _read(
     for axis, kind in enumerate(("length", "force") if is_force else ("strain", "stress")):
         factor = _one(units[axis], kind)
         if factor is None:
-            name = columns[at[axis]].name if columns else f"column {axis + 1}"
-            raise _refuse("missing", f"the unit of “{name}” is not said: units=[..., ...]")
+            raise _refuse("missing", f"the unit of “{names[axis]}” is not said: units=[..., ...]")
         for point in points:
             point[axis] *= factor
     if is_force:
-        return _of_force(points, pair, section, gauge_length, _facts(headers, commas), notes)
+        return _of_force(points, pair, section, gauge_length, _facts(headers), notes)
     measure: Measure = "true" if pair and pair[0] == "true" else "engineering"
     return Record(points, "plastic" if is_plastic else measure, notes=notes)
 
@@ -385,7 +411,8 @@ def _profile(
         if stray:
             raise _refuse("missing", f"“{stray[0]}” may be the unit of the depths: name it there")
     factor = _one(unit or "mm", "length") or 1.0
-    points = [[_float(row[at[0]], commas) * factor, _float(row[at[1]], commas)] for row in body]
+    full = [[*row, *[""] * len(columns)] for row in body]
+    points = [[_float(row[at[0]], commas) * factor, _float(row[at[1]], commas)] for row in full]
     name = columns[at[1]].name
     scale = "HRC" if _is_hrc(name) else "HV" if re.search(r"HV|VHN|DPH", name) else ""
     return Record(points, None, scale, [f"{len(points)} points read"])

@@ -254,7 +254,7 @@ class Curved(BaseModel):
 
 class Cylinder(BaseModel):
     """
-    Half a cylinder, a sphere in axisymmetry, held at its diametral plane.
+    Half a cylinder, held at its diametral plane. In axisymmetry it is read as a `sphere`.
     """
 
     model_config = ConfigDict(
@@ -1225,7 +1225,7 @@ class Point1(RootModel[tuple[Point1Item, Point1Item1]]):
 
 class Sphere(BaseModel):
     """
-    A ball on a half-space; only in three dimensions.
+    A ball: in axisymmetry half a sphere, held at its diametral plane; in three dimensions a half-space with its curvature.
     """
 
     model_config = ConfigDict(
@@ -1243,7 +1243,7 @@ class Sphere(BaseModel):
     rotation: Annotated[
         float | None,
         Field(
-            description='Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out. Without unit.',
+            description='Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out. Only in three dimensions. Without unit.',
             ge=-360.0,
             le=360.0,
         ),
@@ -1927,9 +1927,9 @@ class SolverSettings(BaseModel):
         Field(description='Iteration limit. Default: `500`.', ge=1, le=100000),
     ] = None
     method: Annotated[
-        Literal['standard', 'paper'] | None,
+        Literal['standard', 'jiang_shang'] | None,
         Field(
-            description='`paper` is the method of Jiang and Shang: deformation theory, strong coupling, contact by the simplex; `coupling` may be `weak` or `secant_stiffness` for their comparisons. Default: `standard`.'
+            description='`jiang_shang` is their published method: deformation theory, strong coupling, contact by the simplex; `coupling` may be `weak` or `secant_stiffness` for their comparisons. Default: `standard`.'
         ),
     ] = None
     theory: Annotated[

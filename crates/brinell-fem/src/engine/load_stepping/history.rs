@@ -253,11 +253,16 @@ impl Memory for HistoryOnMesh<'_> {
             memory.flows |= body_flows(flowing, plastic);
         }
         let half_width = solve.patch.map_or(0.0, |patch| patch.half_width());
-        if half_width > memory.widest {
-            memory.widest = half_width;
-            memory.size = self.of_history.size.found_by(solve);
+        if solve.has_collapsed() {
+            // It tells neither the width under the whole load nor where the bodies flow.
+            memory.size = self.of_history.size;
+        } else {
+            if half_width > memory.widest {
+                memory.widest = half_width;
+                memory.size = self.of_history.size.found_by(solve);
+            }
+            memory.size.plastic = plastic;
         }
-        memory.size.plastic = plastic;
         if self.of_history.keeps_path {
             memory
                 .path

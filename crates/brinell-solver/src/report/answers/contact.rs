@@ -1,6 +1,6 @@
 //! Rows of the contact: pressure, size, force; heights and rollers.
 
-use super::{Answer, AnswerBody, AnswerPlace, Bar, Facts, Name};
+use super::{Answer, AnswerBody, AnswerPlace, Bar, Facts, Name, ROUNDING};
 use crate::contact::ContactLoad;
 use crate::job::{Analysis, Load, Shape};
 use crate::report::known::{Hertz, RollerFigures, Rough, Whole};
@@ -21,8 +21,8 @@ impl Facts<'_> {
         self.whole()?.roller
     }
 
-    fn on_surface(&self, [x, y]: [f64; 2]) -> Option<AnswerPlace> {
-        Some(self.place(AnswerBody::Both, [x, y, 0.0]))
+    fn on_surface(&self, [x, y]: [f64; 2]) -> AnswerPlace {
+        self.place(AnswerBody::Both, [x, y, 0.0])
     }
 
     pub(super) fn of_heights(&self) -> Vec<Answer> {
@@ -57,12 +57,14 @@ impl Facts<'_> {
             "the middle of the roller does not touch".to_owned()
         };
         let end = roller.ends[usize::from(high >= low)];
-        let place = self.on_surface([0.0, end]).filter(|_| edge > 0.0);
+        let place = (edge > 0.0).then(|| self.on_surface([0.0, end]));
         let mut rows = vec![self.row(Name::EdgePressure, edge).place(place).text(text)];
         let [_, longer] = whole.semi_axes;
-        let is_even = roller.moment.abs() <= 1e-6 * self.known.figures.force * longer;
+        let part = roller.moment.abs() / (self.known.figures.force * longer);
+        let is_even = part.is_nan() || part <= 1e-6;
+        let moment = if part > ROUNDING { roller.moment } else { 0.0 };
         let moment = self
-            .row(Name::Moment, roller.moment)
+            .row(Name::Moment, moment)
             .text("of the pressure about the middle, positive towards y");
         let tilt = self
             .row(Name::Tilt, roller.tilt)
@@ -100,7 +102,12 @@ impl Facts<'_> {
         let given = self.given_force().filter(|_| self.known.status == SolveStatus::Converged);
         let force = given.unwrap_or(self.known.figures.force);
         let row = self.meshed(Name::Force, force, (Figure::Force, 0));
-        if given.is_some() { row.bar(Bar::Given) } else { row }
+        match self.job.load {
+            // The job has it as `force_found`, with the bar of the search.
+            Load::Target(_) => row.detail(),
+            _ if given.is_some() => row.bar(Bar::Given),
+            _ => row,
+        }
     }
 
     pub fn of_contact(&self) -> Vec<Answer> {
@@ -115,8 +122,9 @@ impl Facts<'_> {
     }
 
     /// Returns a note on elastic figures beside those of a dent.
-    const fn of_dent(&self) -> &'static str {
-        if self.measured.is_dented { "elastic bodies without a dent" } else { "" }
+    fn of_dent(&self) -> &'static str {
+        let has_elastic = self.measured.is_dented && self.hertz().is_some();
+        if has_elastic { "elastic bodies without a dent" } else { "" }
     }
 
     fn peak(&self) -> Answer {
@@ -131,14 +139,14 @@ impl Facts<'_> {
             }
             Some((pressure, place)) => meshed(pressure)
                 .bar(Bar::none("remark `surface_end`"))
-                .place(self.on_surface(place))
+                .place(Some(self.on_surface(place)))
                 .text("largest pressure of a cell, without the cells of the rim"),
             None => {
                 let elastic = self.hertz().map(|hertz| self.write.stress(hertz.peak_pressure));
                 let least = self.least_peak().map(|least| self.write.stress(least));
                 meshed(known.figures.peak_pressure)
                     .elastic(elastic)
-                    .place(self.on_surface(known.peak_place))
+                    .place(Some(self.on_surface(known.peak_place)))
                     .at_least(least, self.of_dent())
             }
         }
@@ -176,7 +184,7 @@ impl Facts<'_> {
         };
         let row = row.text(format!("along the arc, {}° to each side", about(angle)));
         let angle = self.meshed(Name::HalfAngle, angle, (Figure::HalfWidth, 0));
-        vec![row.of_width(self.touches()), angle.detail()]
+        [row, angle].map(|row| row.of_width(self.touches())).to_vec()
     }
 
     fn mean_pressure(&self) -> Answer {

@@ -10,11 +10,9 @@ pub use crate::job::{BarKind, Name, table_of_names};
 pub(super) use row::Bar;
 pub use row::{Answer, AnswerAt, AnswerBody, AnswerPlace, ErrorBar, ErrorWord};
 
-use super::Verdict;
 use super::datum::Datum;
-use super::error_bars::ErrorEstimate;
 use super::findings::{Finding, Voids};
-use super::known::{FlowFigures, Known, Zone};
+use super::known::{ErrorEstimate, FlowFigures, Known, Zone};
 use crate::contact::ContactLoad;
 use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory};
 use crate::solver::SolveStatus;
@@ -79,12 +77,12 @@ pub(super) struct Facts<'a> {
 }
 
 impl Facts<'_> {
-    /// Returns the verdict and the rows, those with details last.
-    pub fn answered(&self) -> (Verdict, Vec<Answer>) {
+    /// Returns the rows, those with details last.
+    pub fn rows(&self) -> Vec<Answer> {
         let rows = self.answers().into_iter().map(|row| self.bounded(row));
         let (details, mut rows): (Vec<_>, Vec<_>) = rows.partition(|row| row.detail);
         rows.extend(details);
-        (self.verdict(&rows), rows)
+        rows
     }
 
     pub fn is_three_dimensional(&self) -> bool {

@@ -43,6 +43,13 @@ impl Column {
         Self { name: row.name.clone(), body: row.body, hardening, quantity: row.quantity }
     }
 
+    /// Whether a row stands in this column. One of no body takes that of the body which decides.
+    fn holds(&self, row: &Answer) -> bool {
+        let of_row = Self::of(row);
+        let body = self.body.and(of_row.body);
+        *self == Self { body, ..of_row }
+    }
+
     fn heading(&self, unit: &str) -> String {
         let body = match self.body {
             Some(AnswerBody::Upper) => "upper_",
@@ -202,7 +209,7 @@ impl Table {
     fn summary(&self, text: &mut String, number: usize, step: &StepReport) {
         let _ = write!(text, "{number},{}", Named::name(step.status));
         for column in &self.columns {
-            let row = step.answers.iter().find(|row| Column::of(row) == *column);
+            let row = step.answers.iter().find(|row| column.holds(row));
             let value = row.and_then(|row| row.value);
             let _ = write!(text, ",{}", value.map_or_else(String::new, |value| value.to_string()));
         }

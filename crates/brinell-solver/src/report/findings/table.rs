@@ -337,8 +337,8 @@ findings! {
          middle has a bar, with half an element over the half-width on top",
     row Mesh
         "at the onset of yield the contact ends on a rounded edge that elements leave out"
-        "`yield_onset` is that of the closed form. Its bar is 1.5 % and what the pressure in the \
-         middle is off from that of a flat punch on a half-space. Exact half-planes: within 1 % \
+        "`first_yield_force` is that of the closed form. Its bar is 1.5 % and what the pressure in \
+         the middle is off from that of a flat punch on a half-space. Exact half-planes: within 1 % \
          for flats of 4 mm with edges of 0.02 to 1 mm; meshes that resolve the edge: within 1 to \
          3 % in all three analyses",
     |write| format!(
@@ -409,7 +409,7 @@ findings! {
          that elements leave out; at the onset of yield where that bar is above 15 %, and where a \
          sharp corner carries pressure; or the largest pressure is next to an end of the contact"
         "that no body yields holds for the mesh only, and the message has the force of the closed \
-         form. At the onset of yield `yield_onset` is `null`, and the step has no bars",
+         form. At the onset of yield no `first_yield_force` is given, and the step has no bars",
     |write| onset_unknown(*cause, *is_sought, write);
 
     /// The yield stress follows from the hardness.

@@ -13,8 +13,8 @@ use crate::inputs::SolveError;
 use crate::job::{Deformable, Job, Load, Material, Quantity};
 use crate::report::cost::JobEstimate;
 use crate::report::error_bars::BESIDE;
-use crate::report::error_bars::ErrorEstimate;
 use crate::report::findings::{Finding, Known};
+use crate::report::known::ErrorEstimate;
 use crate::report::known::{self, Hertz, Onset, RollerFigures, Rough, Whole, Zone};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::{

@@ -50,7 +50,7 @@ fn the_onset_of_yield_is_reported_beside_that_of_the_closed_form() {
     // 0.48 of the radius below a ball.
     let depth = found.place.unwrap().depth / step.elastic(Name::SemiAxisA).unwrap();
     assert!((depth / 0.48 - 1.0).abs() < 0.15, "{depth}");
-    assert_eq!(found.body, Some(AnswerBody::Lower));
+    assert_eq!(found.place.unwrap().body, AnswerBody::Lower);
     assert!((force / step[Name::Force] - 1.0).abs() < 1e-12);
 }
 
