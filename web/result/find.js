@@ -3,6 +3,7 @@
  */
 
 import { plain } from '../lib/units.js';
+import { lowered } from '../setup/field.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('../wire.js').Answer} Answer */
@@ -13,8 +14,8 @@ const [MOST, TOLERANCE] = [12, 0.05];
 /** Inputs whose parts say nothing: they are counted, or have a zero of their own. */
 const LEFT = /\/(passes|history|tilt|moment|points|profile|heights)(\/|$)/;
 
-/** A job without fields, which a search has no use for. @param {Job} job @returns {Job} */
-const bare = ({ output, ...job }) => ({ ...job, ...(output && { output: { ...output, fields: false } }) });
+/** The job itself, without a question. @param {Job} job @returns {Job} */
+const bare = ({ find: _found, tolerances: _told, ...job }) => job;
 
 /**
  * The job that looks for a number with which an answer has a value.
@@ -37,12 +38,22 @@ export const looksOf = ({ looks }, asked, id) =>
     answers: [{ ...asked, value: looks.figure[k], error: looks.error[k] ?? 'not_bounded' }],
   }));
 
+/** A sentence with the names of numbers in place of their pointers. @param {string} text @param {Numeric[]} numbers */
+export const named = (text, numbers) =>
+  numbers
+    .map(({ pointers, label }) => ({ pointer: pointers.join(' and '), label: lowered(label) }))
+    .sort((a, b) => b.pointer.length - a.pointer.length)
+    .reduce((words, { pointer, label }) => words.replaceAll(pointer, label), text);
+
 /** The job with 5 % of its inputs as tolerances. @param {Job} job @param {Numeric[]} numbers @returns {Job} */
 export function tolerancesOf(job, numbers) {
   const inputs = numbers
     .filter(({ key, pointers, value }) => pointers.length === 1 && value !== 0 && !LEFT.test(key))
     .slice(0, MOST);
-  return { ...bare(job), tolerances: Object.fromEntries(inputs.map(({ key }) => [key, TOLERANCE])) };
+  return {
+    ...bare(job),
+    tolerances: Object.fromEntries(inputs.map(({ key }) => [key, TOLERANCE])),
+  };
 }
 
 /**
@@ -57,12 +68,17 @@ export function tolerancesTable(told, numbers) {
   return {
     columns: [
       { title: 'figure' },
+      { title: '± of the mesh', unit: '%' },
       { title: 'root of squares', unit: '%' },
       { title: 'at worst', unit: '%' },
-      ...labels.map((title, k) => ({ title: `${title} ± ${plain(100 * tolerances[k], 3)} %`, unit: '%' })),
+      ...labels.map((title, k) => ({
+        title: `${title} ± ${plain(100 * tolerances[k], 3)} %`,
+        unit: '%',
+      })),
     ],
     rows: told.label.map((label, row) => [
       label,
+      part(told.error[row]),
       part(told.root_of_squares[row]),
       part(told.at_worst[row]),
       ...told.elasticities[row].map((one, k) => part(one === null ? null : one * tolerances[k])),

@@ -15,7 +15,7 @@ import { inWords } from '../setup/words.js';
 import { answersOf, errorOf, shareOf, unitOf, wholeOf } from './answers.js';
 import { Chart } from './chart.js';
 import { cellsOf, scrolled, tableElements, takeAlong } from './figures.js';
-import { looksOf, searchOf, tolerancesOf, tolerancesTable } from './find.js';
+import { looksOf, named, searchOf, tolerancesOf, tolerancesTable } from './find.js';
 import { Panel } from './panel.js';
 
 /** @typedef {import('../types.js').Job} Job */
@@ -266,7 +266,8 @@ export class VaryPanel {
     const { newRun, solveOne } = await batch();
     const { id, report, problem } = await solveOne(job, signal, newRun());
     if (report && !signal.aborted) return { id, report };
-    this.words.textContent = signal.aborted ? '' : `${inWords(problem ?? 'it was not solved')}.`;
+    const why = `${inWords(named(problem ?? 'it was not solved', this.#numbers))}.`;
+    this.words.textContent = signal.aborted ? '' : why;
     return undefined;
   }
 
@@ -281,13 +282,14 @@ export class VaryPanel {
     this.#varied = number;
     this.words.textContent = 'Looking for it.';
     const wanted = reading.value / shareOf(asked);
-    const { id, report } = (await this.#ask(searchOf(this.#job, number, asked, ends, wanted))) ?? {};
+    const { id, report } =
+      (await this.#ask(searchOf(this.#job, number, asked, ends, wanted))) ?? {};
     if (!id || !report?.found) return;
     this.#points = looksOf(report.found, asked, id);
     this.#draw();
     const [value] = report.found.values;
     this.words.replaceChildren(
-      `${report.found.text} `,
+      `${named(report.found.text, this.#numbers)} `,
       plainButton('Put it into the form', () => this.on.use(withValue(this.#job, number, value))),
       plainButton('Show this job', () => this.on.open(id)),
     );
@@ -300,7 +302,7 @@ export class VaryPanel {
     if (!id || !report?.tolerances) return;
     const told = tolerancesTable(report.tolerances, this.#numbers);
     this.words.replaceChildren(
-      `${report.tolerances.text} `,
+      `${named(report.tolerances.text, this.#numbers)} `,
       plainButton('Show this job', () => this.on.open(id)),
     );
     this.table.replaceChildren(...tableElements(told, () => ({})));

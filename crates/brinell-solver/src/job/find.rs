@@ -5,7 +5,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::figure::{BarKind, Name};
 use super::reader::Cursor;
-use super::{FaultCode, Named as _, Side};
+use super::{FaultCode, Named, Side};
 
 /// An input that is sought between two ends for what it does to a figure.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,8 +82,9 @@ impl Find {
 
     fn read_until(cursor: Cursor<'_>) -> Option<(Name, Option<Side>, Wanted)> {
         let object = cursor.object()?;
-        let figures: Vec<&str> = Self::figures().map(|name| name.name()).collect();
-        let known: Vec<&str> = Self::ENDS.into_iter().chain(figures.iter().copied()).collect();
+        let figures: Vec<&str> = Self::figures().map(Named::name).collect();
+        let names = Name::ALL.iter().map(|name| name.name());
+        let known: Vec<&str> = Self::ENDS.into_iter().chain(names).collect();
         let bodies = Side::BOTH.map(Side::name);
         object.only(&[&known[..], &[Self::BODY]].concat());
         let body = object.or(Self::BODY, None, |c| {
@@ -96,11 +97,17 @@ impl Find {
             "most" => object.required(key, |c| Some((named(c.word(&figures)?)?, Wanted::Most))),
             figure => object.required(figure, |c| {
                 let value = c.number()?;
-                if value == 0.0 {
-                    c.fault(FaultCode::OutOfRange, format_args!("must not be 0"));
+                let name = named(figure);
+                if value == 0.0 || name.is_none() {
+                    let why = if name.is_none() {
+                        "cannot be wanted: nothing bounds the error of this figure"
+                    } else {
+                        "must not be 0"
+                    };
+                    c.fault(FaultCode::OutOfRange, format_args!("{why}"));
                     return None;
                 }
-                Some((named(figure)?, Wanted::Value(value)))
+                Some((name?, Wanted::Value(value)))
             }),
         };
         let given: Vec<_> = known.iter().filter(|key| object.has(key)).map(read).collect();
@@ -108,6 +115,8 @@ impl Find {
             return wanted.map(|(figure, wanted)| (figure, body, wanted));
         }
         let (code, only) = match given.len() {
+            // Unknown keys are told already.
+            0 if object.len() > usize::from(object.has(Self::BODY)) => return None,
             0 => (FaultCode::Required, ""),
             _ => (FaultCode::Inconsistent, "only "),
         };

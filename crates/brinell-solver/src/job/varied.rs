@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::reader::{Faults, Node, explain};
 use super::{
-    Domain, FaultCode, FieldError, Find, Job, JobError, Name, Named as _, TargetFigure, Tolerance,
+    Domain, FaultCode, FieldError, Find, Job, JobError, Named as _, TargetFigure, Tolerance,
 };
 
 /// Parts of a job with numbers that can be varied. The others are settings of the solver.
@@ -37,12 +37,14 @@ impl Job {
         Self::from_value(&wire)
     }
 
-    /// Returns this job with a force that is sought by a target in place of its single force;
-    /// `None` of another load, and of a figure that is no target.
-    pub fn with_target(&self, figure: Name, value: f64) -> Option<Result<Self, JobError>> {
-        let is_force = self.load.kind() == "force";
+    /// Returns this job with a target in place of its single force, where that is sought; `None`
+    /// of another input, and of a figure that is no target.
+    pub fn with_target(&self, find: &Find, value: f64) -> Option<Result<Self, JobError>> {
+        let is_force = self.load.kind() == "force" && find.vary == ["/load/force"];
         let mut targets = TargetFigure::ALL.iter().filter(|target| !target.is_permanent());
-        let target = targets.find(|target| is_force && target.name() == figure.name())?;
+        let target = targets.find(|target| {
+            is_force && find.body.is_none() && target.name() == find.figure.name()
+        })?;
         Some(self.plain().and_then(|mut wire| {
             wire["load"] = json!({"target": {target.name(): value}});
             Self::from_value(&wire)

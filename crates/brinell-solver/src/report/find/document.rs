@@ -49,6 +49,8 @@ pub struct TolerancesReport {
     pub label: Vec<String>,
     /// Their bodies.
     pub body: Vec<Option<AnswerBody>>,
+    /// Bounds of their relative errors by mesh and increments; `null` without one \[1 >= 0\].
+    pub error: Vec<Option<f64>>,
     /// Relative change of the figure over that of each input; `null` where the figure is not known
     /// beside it \[1\].
     pub elasticities: Vec<Vec<Option<f64>>>,

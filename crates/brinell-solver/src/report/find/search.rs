@@ -21,7 +21,8 @@ pub struct Point {
 }
 
 impl Point {
-    fn is_good(self) -> bool {
+    /// Returns whether the figure is as wanted.
+    pub fn is_good(self) -> bool {
         self.off.abs() <= self.good
     }
 

@@ -2,7 +2,8 @@
 
 use super::document::TolerancesReport;
 use super::trials::{Trials, rows, words};
-use crate::job::{FieldError, Job, Tolerance};
+use super::{elasticity, refused};
+use crate::job::{Job, Tolerance};
 use crate::report::{Answer, RunError};
 use crate::units::percent;
 
@@ -22,10 +23,8 @@ pub fn tolerances(
             let number = job.number_at(&one.pointer).unwrap_or_default();
             let mut at = |part: f64| {
                 let pointers = [one.pointer.clone()];
-                let varied = job.varied(&pointers, part * number).map_err(|fault| {
-                    let detail = words(&fault);
-                    RunError::Input(vec![FieldError::not_solvable("/tolerances", detail)])
-                })?;
+                let varied = job.varied(&pointers, part * number);
+                let varied = varied.map_err(|fault| refused("/tolerances", words(&fault)))?;
                 trials.solve(varied).map(|report| rows(&report))
             };
             Ok([at(1.0 - one.change())?, at(1.0 + one.change())?])
@@ -43,6 +42,7 @@ pub fn tolerances(
         told.name.push(effect.row.name.clone());
         told.label.push(effect.row.label.clone());
         told.body.push(effect.row.body);
+        told.error.push(effect.row.error.bound());
         told.elasticities.push(effect.elasticities);
         told.at_worst.push(effect.at_worst);
         told.root_of_squares.push(effect.root_of_squares);
@@ -63,11 +63,13 @@ fn effect<'a>(
     tolerances: &[Tolerance],
     beside: &[[Vec<Answer>; 2]],
 ) -> Option<Effect<'a>> {
-    let value = row.value.filter(|value| *value != 0.0)?;
+    row.value.filter(|value| *value != 0.0)?;
     let at = |rows: &[Answer]| rows.iter().find(|other| other.is_alike(row))?.value;
     let pairs = tolerances.iter().zip(beside);
     let elasticities: Vec<_> = pairs
-        .map(|(one, [less, more])| elasticity(one.change(), value, [at(less)?, at(more)?]))
+        .map(|(one, [less, more])| {
+            elasticity([1.0 - one.change(), 1.0 + one.change()], [at(less)?, at(more)?])
+        })
         .collect();
     let changes: Option<Vec<f64>> = tolerances
         .iter()
@@ -81,15 +83,6 @@ fn effect<'a>(
         root_of_squares: changes.as_ref().map(squares),
         elasticities,
     })
-}
-
-/// Returns the relative change of a figure over that of an input, from its values with the input
-/// less and more by a part: of powers their exponent.
-fn elasticity(change: f64, value: f64, [less, more]: [f64; 2]) -> Option<f64> {
-    let of_logarithms = (more / less).ln() / ((1.0 + change) / (1.0 - change)).ln();
-    let found =
-        if more * less > 0.0 { of_logarithms } else { (more - less) / (2.0 * change * value) };
-    found.is_finite().then_some(found)
 }
 
 /// Returns which input matters most to a row.
