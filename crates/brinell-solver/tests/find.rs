@@ -174,7 +174,7 @@ impl Observer for Stopping {
     fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
         self.loads = record.increment.map_or(0, |at| at.loads);
         self.iterations += 1;
-        if self.iterations == 8 {
+        if self.iterations == 2 {
             ControlFlow::Break(Interrupt::TimedOut)
         } else {
             ControlFlow::Continue(())
@@ -190,7 +190,7 @@ fn a_search_stops_where_its_time_is_over() {
     let observer = &mut Stopping::default();
     let stopped = report::run(&Job::from_value(&job).unwrap(), observer);
     assert_eq!(stopped.unwrap_err(), RunError::Interrupted(Interrupt::TimedOut));
-    assert_eq!((observer.iterations, observer.loads), (8, 7));
+    assert_eq!((observer.iterations, observer.loads), (2, 7));
 }
 
 /// Reciprocal figures take the ends and one secant.

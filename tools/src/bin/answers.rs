@@ -39,7 +39,16 @@ fn main() -> std::io::Result<()> {
     }
     let has = |name: &str| arguments.iter().any(|argument| argument == name);
     if has("find") {
-        find::searches(count.unwrap_or_default());
+        find::searches(count.unwrap_or_default(), |seed| {
+            let random = &mut random_job::Random(seed);
+            let job = if random.happens(0.3) {
+                random_job::in_three_dimensions(random)
+            } else {
+                random_job::in_millimetres(random, &ELEMENTS)
+            };
+            let choices = [(); 2].map(|()| random.count(1 << 32));
+            (job, choices, random.between(0.0, 1.0))
+        });
         return Ok(());
     }
     let in_three = has("three_dimensional");

@@ -657,10 +657,11 @@ impl Schemas<'_> {
             }),
             required: false,
         };
+        let [upper, lower] = Side::BOTH.map(Side::name);
         let body = json!({
             "type": ["string", "null"],
             "description": "Of which body the figure is, where both have it.",
-            "enum": [Side::Upper.name(), Side::Lower.name(), null],
+            "enum": [upper, lower, null],
         });
         let value = |name: Name| Entry {
             key: name.name(),

@@ -5,8 +5,6 @@ use brinell_solver::report::{self, Answer, ErrorBar, Report, RunError};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
-use super::random_job::{self, Random};
-
 /// Inputs that are sought, of those that a job has.
 const INPUTS: [&str; 9] = [
     "/upper/shape/radius",
@@ -37,10 +35,13 @@ const HIDDEN: [f64; 2] = [0.6, 1.7];
 const NEAR: f64 = 1e-2;
 
 /// Solves searches from one seed on until so many have a figure to look for; prints a line of JSON
-/// for each and a summary.
-pub fn searches(count: u64) {
+/// for each and a summary. `draw` draws a job, what chooses its input and figure, and the hidden
+/// input over that of the job, by a number between 0 and 1.
+pub fn searches(count: u64, draw: impl Fn(u64) -> (Value, [u64; 2], f64)) {
     let (mut solves, mut found, mut ended) = (Vec::new(), 0, 0);
-    for (seed, job, hidden) in (0..).filter_map(search).take(usize::try_from(count).unwrap_or(0)) {
+    for (seed, job, hidden) in
+        (0..).filter_map(|seed| search(seed, draw(seed))).take(usize::try_from(count).unwrap_or(0))
+    {
         let (told, looks) = outcome(&job, hidden);
         solves.extend(looks);
         found += usize::from(told["is_found"] == true);
@@ -55,17 +56,14 @@ pub fn searches(count: u64) {
 }
 
 /// Returns a job that asks for an input and the hidden one; none of a seed whose job has no figure.
-fn search(seed: u64) -> Option<(u64, Value, f64)> {
-    let random = &mut Random(seed);
-    let mut job = if random.happens(0.3) {
-        random_job::in_three_dimensions(random)
-    } else {
-        random_job::in_millimetres(random, &super::ELEMENTS)
-    };
+fn search(
+    seed: u64,
+    (mut job, [input, figure], part): (Value, [u64; 2], f64),
+) -> Option<(u64, Value, f64)> {
     let inputs: Vec<_> = INPUTS.iter().filter(|input| job.pointer(input).is_some()).collect();
-    let vary = **inputs.get(usize::try_from(random.count(inputs.len() as u64)).ok()? - 1)?;
+    let vary = **chosen(&inputs, input)?;
     let given = job.pointer(vary)?.as_f64()?;
-    let hidden = given * random.between(HIDDEN[0], HIDDEN[1]);
+    let hidden = given * (HIDDEN[0] + part * (HIDDEN[1] - HIDDEN[0]));
     let mut known = job.clone();
     *known.pointer_mut(vary)? = json!(hidden);
     let report = solved(&known).ok().filter(|report| report.status == SolveStatus::Converged)?;
@@ -77,10 +75,15 @@ fn search(seed: u64) -> Option<(u64, Value, f64)> {
             && row.error.bound().is_some_and(|bound| bound > 0.0)
     };
     let rows: Vec<_> = rows.iter().filter(free).collect();
-    let row = rows.get(usize::try_from(random.count(rows.len().max(1) as u64)).ok()? - 1)?;
+    let row = *chosen(&rows, figure)?;
     let between = ENDS.map(|part| part * given);
     job["find"] = json!({"vary": vary, "between": between, "until": {&row.name: row.value}});
     Some((seed, job, hidden))
+}
+
+fn chosen<T>(list: &[T], by: u64) -> Option<&T> {
+    let place = by.checked_rem(list.len() as u64)?;
+    list.get(usize::try_from(place).ok()?)
 }
 
 fn solved(job: &Value) -> Result<Report, RunError> {

@@ -3,8 +3,7 @@
 
 use super::document::{FoundReport, Looks};
 use super::search::{self, Point};
-use super::trials::{Trials, rows, words};
-use super::{elasticity, refused};
+use super::trials::{Trials, elasticity, refused, rows, words};
 use crate::job::{Domain, Find, Job, Named as _, Quantity, Wanted};
 use crate::report::answers::Bar;
 use crate::report::{Answer, Name, Report, RunError};
@@ -15,7 +14,7 @@ use crate::units::{percent, rounded};
 const GOOD: (f64, f64, f64) = (0.1, 1e-5, 1e-3);
 /// A bar in place of one that is not bounded.
 const NO_BAR: f64 = 0.01;
-/// Largest logarithm of a figure over its wanted value that a secant takes at its word.
+/// Logarithm in place of that of a figure which is 0 or has the other sign.
 const FAR: f64 = 3.0;
 /// Differences of the logarithm of the input: within the first one scatter tells an elasticity,
 /// and beyond the second one the bend of the curve.
@@ -141,9 +140,7 @@ impl Seeker<'_, '_> {
         let (part, least, most) = GOOD;
         let good = (part * row.error.bound().unwrap_or(NO_BAR)).clamp(least, most);
         let (off, good) = match wanted {
-            Wanted::Value(wanted) if figure / wanted > 0.0 => {
-                ((figure / wanted).ln().clamp(-FAR, FAR), good)
-            }
+            Wanted::Value(wanted) if figure / wanted > 0.0 => ((figure / wanted).ln(), good),
             Wanted::Value(_) => (-FAR, good),
             Wanted::Least => (figure, good * figure.abs()),
             Wanted::Most => (-figure, good * figure.abs()),

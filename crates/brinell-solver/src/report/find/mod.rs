@@ -99,14 +99,3 @@ pub fn run_each(
     }
     Ok(report)
 }
-
-fn refused(pointer: &str, detail: String) -> RunError {
-    RunError::Input(vec![FieldError::not_solvable(pointer, detail)])
-}
-
-/// Returns the relative change of a figure over that of an input, of powers their exponent; `None`
-/// where the figure is 0 or changes its sign.
-fn elasticity(inputs: [f64; 2], figures: [f64; 2]) -> Option<f64> {
-    let [of_input, of_figure] = [inputs, figures].map(|[one, other]| (other / one).ln());
-    Some(of_figure / of_input).filter(|slope| slope.is_finite())
-}

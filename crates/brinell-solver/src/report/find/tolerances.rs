@@ -1,8 +1,7 @@
 //! What tolerances of inputs do to every figure: by central differences, two solves an input.
 
 use super::document::TolerancesReport;
-use super::trials::{Trials, rows, words};
-use super::{elasticity, refused};
+use super::trials::{Trials, elasticity, refused, rows, words};
 use crate::job::{Job, Tolerance};
 use crate::report::{Answer, RunError};
 use crate::units::percent;

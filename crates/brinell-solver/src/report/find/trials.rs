@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use crate::job::{Job, JobError};
+use crate::job::{FieldError, Job, JobError};
 use crate::report::{Answer, Report, RunError, StepReport};
 use crate::solver::{
     Held, IncrementNumber, Interrupt, IterationRecord, Observer, Options, SolveStatus,
@@ -69,6 +69,18 @@ pub fn words(fault: &JobError) -> String {
         JobError::Fields(faults) => faults.first().map(ToString::to_string).unwrap_or_default(),
         syntax @ JobError::Syntax { .. } => syntax.to_string(),
     }
+}
+
+/// Returns the refusal of a field.
+pub fn refused(pointer: &str, detail: String) -> RunError {
+    RunError::Input(vec![FieldError::not_solvable(pointer, detail)])
+}
+
+/// Returns the relative change of a figure over that of an input, of powers their exponent; `None`
+/// where the figure is 0 or changes its sign.
+pub fn elasticity(inputs: [f64; 2], figures: [f64; 2]) -> Option<f64> {
+    let [of_input, of_figure] = [inputs, figures].map(|[one, other]| (other / one).ln());
+    Some(of_figure / of_input).filter(|slope| slope.is_finite())
 }
 
 /// Tells the iterations of a trial, with its number among the loads.
