@@ -120,6 +120,13 @@
  * @property {Fields | null} lower
  * @property {Fields | null} upper
  *
+ * @typedef {object} Found
+ * @property {string} figure
+ * @property {Looks} looks
+ * @property {string} text
+ * @property {(number)[]} values
+ * @property {(string)[]} vary
+ *
  * @typedef {object} IncrementNumber
  * @property {number} count
  * @property {number} load
@@ -229,6 +236,11 @@
  *
  * @typedef {PrescribedForce | PrescribedApproach} LoadReport
  *
+ * @typedef {object} Looks
+ * @property {(number | null)[]} error
+ * @property {(number)[]} figure
+ * @property {(number)[]} value
+ *
  * @typedef {'good' | 'attention' | 'bad' | 'unknown'} Mark
  *
  * @typedef {object} Mesh
@@ -292,6 +304,7 @@
  * @typedef {object} Report
  * @property {Analysis} analysis
  * @property {(Answer)[]} [answers]
+ * @property {Found} [found]
  * @property {LoadApproach} [load_approach]
  * @property {Mesh} mesh
  * @property {SolveStatus} status
@@ -299,6 +312,7 @@
  * @property {Tags} [tags]
  * @property {string | null} theory
  * @property {Timings} timings_ms
+ * @property {Tolerances} [tolerances]
  * @property {Units} units
  * @property {(ValidityNote)[]} [validity]
  * @property {string} version
@@ -392,6 +406,18 @@
  * @property {number} solves
  * @property {number} symbolic
  * @property {number} total
+ *
+ * @typedef {object} Tolerances
+ * @property {(number | null)[]} at_worst
+ * @property {(AnswerBody | null)[]} body
+ * @property {((number | null)[])[]} elasticities
+ * @property {(number | null)[]} error
+ * @property {(string)[]} inputs
+ * @property {(string)[]} label
+ * @property {(string)[]} name
+ * @property {(number | null)[]} root_of_squares
+ * @property {string} text
+ * @property {(number)[]} tolerances
  *
  * @typedef {'elastic' | 'shakes_down' | 'closed_cycle' | 'undecided' | 'ratchets'} TrackVerdict
  *

@@ -7,6 +7,7 @@ mod passes;
 mod plot;
 mod sweep;
 mod text;
+mod tolerances;
 
 use std::fmt::Write;
 
@@ -44,6 +45,9 @@ impl Page {
         self.line(&format!("{title} · {analysis}{theory} · {}", report.units));
         if !report.answers.is_empty() {
             self.rows(&report.answers);
+            if let Some(found) = &report.found {
+                self.line(&wrapped("", &words(&found.text), " "));
+            }
             for note in &report.validity {
                 self.remark(&note.message);
             }
@@ -62,6 +66,11 @@ impl Page {
                     self.step(shown);
                 }
             }
+        }
+        if let (Some(told), Some(last)) = (&report.tolerances, report.steps.last()) {
+            self.line("");
+            self.text.push_str(&tolerances::tolerances(told, &last.answers, self.style));
+            self.line(&wrapped("", &words(&told.text), " "));
         }
         self.line("");
         let mesh = &report.mesh;

@@ -126,6 +126,8 @@ fn report(status: SolveStatus) -> Report {
         steps: Vec::new(),
         answers: Vec::new(),
         load_approach: None,
+        found: None,
+        tolerances: None,
         validity: Vec::new(),
         mesh: MeshReport::default(),
         timings_ms: Timings::default(),

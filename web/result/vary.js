@@ -1,6 +1,7 @@
 /**
- * Other values of a number of the shown job: a sweep over it, what ± 10 % of it do, and the value
- * for which an answer is as wanted. Every value is a job of its own.
+ * Other values of a number of the shown job: a sweep over it, what ± 10 % of it do, the value for
+ * which an answer is as wanted, and tolerances. Every value of a sweep is a job of its own; a search
+ * and tolerances are one.
  */
 
 import { Problem } from '../api/client.js';
@@ -14,6 +15,7 @@ import { inWords } from '../setup/words.js';
 import { answersOf, errorOf, shareOf, unitOf, wholeOf } from './answers.js';
 import { Chart } from './chart.js';
 import { cellsOf, scrolled, tableElements, takeAlong } from './figures.js';
+import { looksOf, named, searchOf, tolerancesOf, tolerancesTable } from './find.js';
 import { Panel } from './panel.js';
 
 /** @typedef {import('../types.js').Job} Job */
@@ -82,6 +84,9 @@ export class VaryPanel {
       ),
       h('span', { class: 'group' }, this.from, ' – ', this.to, ' in ', this.many),
       working('Sweep', 'Solve over these values', () => this.#sweep()),
+      working('± tolerances', 'What 5 % of every input do to every answer', () =>
+        this.#tolerances(),
+      ),
       this.stop,
     );
     const find = h(
@@ -202,12 +207,11 @@ export class VaryPanel {
 
   async #sweep() {
     const { signal } = /** @type {AbortController} */ (this.#running);
-    const [from, to, many] = [this.from, this.to, this.many].map(({ value }) => readNumber(value));
-    const wrong = [from, to, many].find((one) => 'problem' in one);
-    if (wrong && 'problem' in wrong) return void toast(wrong.problem);
-    const [low, high, count] = /** @type {{value: number}[]} */ ([from, to, many]).map(
-      ({ value }) => value,
-    );
+    const ends = this.#ends();
+    const many = readNumber(this.many.value);
+    if (!ends) return;
+    if ('problem' in many) return void toast(many.problem);
+    const [[low, high], count] = [ends, many.value];
     if (!(count >= 2 && count <= 100 && Number.isInteger(count)))
       return void toast('A sweep has 2 to 100 values.');
     // In equal ratios where both ends have a sign.
@@ -247,47 +251,62 @@ export class VaryPanel {
     this.#draw();
   }
 
-  async #find() {
+  /** The ends in the boxes. @returns {[number, number] | undefined} none where they are no numbers */
+  #ends() {
+    const ends = [this.from, this.to].map(({ value }) => readNumber(value));
+    const wrong = ends.find((one) => 'problem' in one);
+    if (wrong && 'problem' in wrong) return void toast(wrong.problem);
+    const [low, high] = /** @type {{value: number}[]} */ (ends).map(({ value }) => value);
+    return [low, high];
+  }
+
+  /** Solves one job, and says what it has come to. @param {Job} job */
+  async #ask(job) {
     const { signal } = /** @type {AbortController} */ (this.#running);
+    const { newRun, solveOne } = await batch();
+    const { id, report, problem } = await solveOne(job, signal, newRun());
+    if (report && !signal.aborted) return { id, report };
+    const why = `${inWords(named(problem ?? 'it was not solved', this.#numbers))}.`;
+    this.words.textContent = signal.aborted ? '' : why;
+    return undefined;
+  }
+
+  async #find() {
     const number = this.#number;
-    const key = this.figure.value;
     const reading = readNumber(this.wanted.value);
     if ('problem' in reading) return void toast(reading.problem);
-    const asked = this.#answers.find((one) => keyOf(one) === key);
-    if (!asked || !(number.value > 0))
-      return void toast('Choose a number that is above 0, and an answer.');
-    const wanted = reading.value / shareOf(asked);
+    const asked = this.#answers.find((one) => keyOf(one) === this.figure.value);
+    const ends = this.#ends();
+    if (!asked || !ends) return;
     this.#clear();
     this.#varied = number;
-    const points = /** @type {Point[]} */ ([]);
-    const { newRun, solveOne } = await batch();
-    const run = newRun();
-    const look = async (/** @type {number} */ at) => {
-      const { id, report } = await solveOne(this.#jobOf(number, at), signal, run);
-      const [point] = pointOf(at, id, report);
-      if (point) points.push(point);
-      this.#points = [...points].sort((a, b) => a.at - b.at);
-      this.words.textContent = `${points.length} values looked at, the last is ${plain(at, 5)} ${number.unit}.`;
-      this.#draw();
-      return point?.answers.find((one) => keyOf(one) === key)?.value ?? NaN;
-    };
-    const { search } = await import('./search.js');
-    const { best, found } = await search(look, number.value, wanted, () => signal.aborted);
-    const point = points.find(({ at }) => at === best.at);
-    const answer = point?.answers.find((one) => keyOf(one) === key);
-    if (!answer || !point) {
-      this.words.textContent = 'No value of this number has an answer.';
-      return;
-    }
+    this.words.textContent = 'Looking for it.';
+    const wanted = reading.value / shareOf(asked);
+    const { id, report } =
+      (await this.#ask(searchOf(this.#job, number, asked, ends, wanted))) ?? {};
+    if (!id || !report?.found) return;
+    this.#points = looksOf(report.found, asked, id);
+    this.#draw();
+    const [value] = report.found.values;
     this.words.replaceChildren(
-      found
-        ? `${number.label} ${plain(best.at, 5)} ${number.unit}: ${lowered(answer.label)} ${wholeOf(answer)}. `
-        : `${answer.label} is nowhere as wanted; nearest is ${wholeOf(answer)}, with ${lowered(number.label)} ${plain(best.at, 5)} ${number.unit}. `,
-      plainButton('Put it into the form', () =>
-        this.on.use(withValue(this.#job, number, best.at)),
-      ),
-      plainButton('Show this job', () => this.on.open(point.id)),
+      `${named(report.found.text, this.#numbers)} `,
+      plainButton('Put it into the form', () => this.on.use(withValue(this.#job, number, value))),
+      plainButton('Show this job', () => this.on.open(id)),
     );
+  }
+
+  async #tolerances() {
+    this.#clear();
+    this.words.textContent = 'Solving with 5 % less and more of each input.';
+    const { id, report } = (await this.#ask(tolerancesOf(this.#job, this.#numbers))) ?? {};
+    if (!id || !report?.tolerances) return;
+    const told = tolerancesTable(report.tolerances, this.#numbers);
+    this.words.replaceChildren(
+      `${named(report.tolerances.text, this.#numbers)} `,
+      plainButton('Show this job', () => this.on.open(id)),
+    );
+    this.table.replaceChildren(...tableElements(told, () => ({})));
+    this.whole.hidden = false;
   }
 
   /** Names the value at which the answer is least or largest, where that is between the ends. */

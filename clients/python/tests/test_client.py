@@ -500,21 +500,31 @@ def test_a_closed_client_says_so(job: Any) -> None:
 
 def test_a_number_is_found_for_a_figure(client: Client, job: Any) -> None:
     both = ("/upper/shape/radius", "/lower/shape/radius")
-    found = client.find(job, both, "peak_pressure", 1100.0)
-    assert found.converged
-    assert found.value > 20
-    assert found.result["peak_pressure"] == found.figure == pytest.approx(1100, rel=2e-3)
-    assert (found.value, found.figure) in found.looks
-    assert 3 <= len(found.looks) <= 12
-    mean = client.find(job, "/load/force", lambda result: result["mean_pressure"], 900.0)
-    assert mean.result["mean_pressure"] == pytest.approx(900, rel=2e-3)
+    result = client.find(job, both, "peak_pressure", 1100.0)
+    found = result.found
+    assert result["peak_pressure"] == pytest.approx(1100, rel=2e-3)
+    assert 3 <= len(found) <= 8
+    assert found.attrs["values"][0] in set(found["value"])
+    assert "peak pressure is 1100" in found.attrs["text"].lower()
     # What no value gives is said, not made up.
-    never = client.find(job, "/load/force", "peak_pressure", 1e6, most=4)
-    assert not never.converged
+    with pytest.raises(brinell.JobFailed, match="nowhere"):
+        client.find(job, both, "peak_pressure", 1e6)
     with pytest.raises(ValueError, match="no number above 0"):
         client.find(job, "/upper/shape/type", "peak_pressure", 1.0)
-    with pytest.raises(ValueError, match="no figure is called 'peek'"):
-        client.find(job, "/load/force", "peek", 1.0)
+    with pytest.raises(brinell.InvalidJob, match="peek"):
+        client.find(job, both, "peek", 1.0)
+
+
+def test_tolerances_are_a_table(client: Client, job: Any) -> None:
+    radius = "/upper/shape/radius"
+    table = client.solve({**job_of(job), "tolerances": {radius: 0.05}}).tolerances
+    peak = table[table["name"] == "peak_pressure"].iloc[0]
+    assert peak["at_worst"] == pytest.approx(0.05 * abs(peak[radius]))
+    assert radius in table.attrs["text"]
+
+
+def job_of(job: Any) -> dict[str, Any]:
+    return job if isinstance(job, dict) else job.model_dump(exclude_none=True)
 
 
 def test_a_sweep_takes_quantities(client: Client, job: Any) -> None:

@@ -1,5 +1,5 @@
 /**
- * Tasks and seven questions from cold, as a new user does them: `node --test specs/tasks.test.js` says actions,
+ * Tasks and eight questions from cold, as a new user does them: `node --test specs/tasks.test.js` says actions,
  * seconds and stumbles of each, which `docs/notes/page_tasks.md` has. An action is a press, a
  * choice, a text that is typed or pasted. A stumble is an answer that is not among the first
  * tiles, or not seen without scrolling, and a message that refuses something.
@@ -349,14 +349,27 @@ const TASKS = [
 const QUESTIONS = [
   [
     'what load? the force for a margin of 2',
-    4,
+    5,
     async (user, page) => {
       await user.solve();
       await user.pick('Answer', 'Margin to first yield');
       await user.enter('Wanted value', '2');
+      await user.enter('From', '100');
       await user.press('Find the number');
       const words = page.locator('#panel-vary .readout');
-      await words.getByText(/^Force 109\.\d* N\/mm: margin to first yield [12]\.\d+ /).waitFor();
+      await words.getByText(/^With force = 109\.\d* N\/mm, Margin to first yield is 2\./).waitFor();
+      // One job, and so one row of the list.
+      await page.locator('#panel-vary').getByText('Put it into the form').waitFor();
+    },
+  ],
+  [
+    'what if everything is 5 % off?',
+    2,
+    async (user, page) => {
+      await user.solve();
+      await user.press('± tolerances');
+      await page.locator('#panel-vary .readout').getByText(/matters most/).waitFor();
+      await page.locator('#panel-vary tbody tr').nth(3).waitFor();
     },
   ],
   [

@@ -3,8 +3,8 @@
 //!
 //! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`. A second word chooses
 //! other jobs: `three_dimensional` contacts of half-spaces, `hardness` hardness tests, `rolling`,
-//! `rolling_near_traction` and `rolling_balls` loads that roll, with the seconds of each. With names
-//! of files of jobs instead of the count those are solved, and the seconds of each are told. With
+//! `rolling_near_traction` and `rolling_balls` loads that roll, with the seconds of each, `find`
+//! inputs that are sought for a figure that one hidden input has. With names of files of jobs instead of the count those are solved, and the seconds of each are told. With
 //! `--jobs` last it prints the jobs.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
@@ -16,6 +16,8 @@ use brinell_solver::report;
 use brinell_solver::solver::Unobserved;
 use serde_json::{Value, json};
 
+#[path = "answers/find.rs"]
+mod find;
 #[path = "../../../crates/brinell-solver/tests/support/random_job.rs"]
 mod random_job;
 
@@ -36,6 +38,19 @@ fn main() -> std::io::Result<()> {
         return Ok(());
     }
     let has = |name: &str| arguments.iter().any(|argument| argument == name);
+    if has("find") {
+        find::searches(count.unwrap_or_default(), |seed| {
+            let random = &mut random_job::Random(seed);
+            let job = if random.happens(0.3) {
+                random_job::in_three_dimensions(random)
+            } else {
+                random_job::in_millimetres(random, &ELEMENTS)
+            };
+            let choices = [(); 2].map(|()| random.count(1 << 32));
+            (job, choices, random.between(0.0, 1.0))
+        });
+        return Ok(());
+    }
     let in_three = has("three_dimensional");
     let rolls = [
         ("rolling", random_job::Rolls::Lines),

@@ -8,9 +8,9 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::fields::{InUnits, read_settings, read_settings_from};
 use super::reader::{self, Cursor, Faults, Node};
 use super::{
-    Analysis, Body, Domain, FatigueLimits, FaultCode, FieldError, HardnessTest, JobError, Load,
-    Material, MeshSettings, Method, Named as _, OutputSettings, Side, SolverSettings, Theory,
-    Units, hardness, name, tags,
+    Analysis, Body, Domain, FatigueLimits, FaultCode, FieldError, Find, HardnessTest, JobError,
+    Load, Material, MeshSettings, Method, Named as _, OutputSettings, Side, SolverSettings,
+    Theory, Tolerance, Units, hardness, name, tags,
 };
 
 /// A complete, valid job. All figures are in N–mm–MPa; [`Job::units`] are the units of the wire
@@ -29,6 +29,10 @@ pub struct Job {
     pub lower: Body,
     /// Forces or approaches of the load steps, or the target of a search for the force.
     pub load: Load,
+    /// An input that is sought for what it does to a figure.
+    pub find: Option<Find>,
+    /// Tolerances of numbers of the bodies and the load.
+    pub tolerances: Vec<Tolerance>,
     /// Resolution of the mesh.
     pub mesh: MeshSettings,
     /// Iteration controls.
@@ -41,7 +45,18 @@ pub struct Job {
 
 impl Job {
     pub(super) const KEYS: &'static [&'static str] = &[
-        "title", "analysis", "units", "upper", "lower", "load", "mesh", "solver", "output", "tags",
+        "title",
+        "analysis",
+        "units",
+        "upper",
+        "lower",
+        "load",
+        "find",
+        "tolerances",
+        "mesh",
+        "solver",
+        "output",
+        "tags",
     ];
 
     /// Parses the wire format and reports every fault, not only the first.
@@ -114,7 +129,10 @@ impl Job {
         faults.extend(job.faults_of_hardness());
         faults.extend(job.faults_of_shapes());
         faults.extend(job.faults_of_three_dimensions(document));
-        let refused = faults.into_sorted(document);
+        let mut refused = faults.into_sorted(document);
+        if refused.is_empty() {
+            refused = job.faults_of_find();
+        }
         if refused.is_empty() { Ok(job) } else { Err(JobError::Fields(refused)) }
     }
 
@@ -128,6 +146,11 @@ impl Job {
             Some(job) if faults.is_empty() => Ok(job),
             _ => Err(JobError::Fields(faults)),
         }
+    }
+
+    /// Reads any job and leaves its faults.
+    pub(super) fn read_with(document: &Node, faults: &Faults) {
+        Self::read_members(Cursor::root(document, faults), document);
     }
 
     /// Reads the members. A hardness test brings its upper body and is of revolution, under flow
@@ -150,6 +173,8 @@ impl Job {
         let lower = object.required("lower", |c| Body::read(c, units));
         let force = analysis.map_or(Domain::LineForce, Analysis::force);
         let load = object.required("load", |c| Load::read(c, force, units));
+        let find = object.or("find", None, |c| Find::read(c).map(Some));
+        let tolerances = object.or("tolerances", Vec::new(), Tolerance::read_all);
         let default_mesh = if is_test {
             hardness::mesh()
         } else {
@@ -182,6 +207,8 @@ impl Job {
             upper: upper?,
             lower,
             load,
+            find: find?,
+            tolerances: tolerances?,
             mesh: mesh?,
             solver: solver?,
             output: output?,
@@ -235,6 +262,12 @@ impl Serialize for Job {
             "load",
             &InUnits(&self.load, units).with_force(self.analysis.force()),
         )?;
+        if let Some(find) = &self.find {
+            map.serialize_entry("find", find)?;
+        }
+        if !self.tolerances.is_empty() {
+            map.serialize_entry("tolerances", &Tolerance::write_all(&self.tolerances))?;
+        }
         map.serialize_entry("mesh", &InUnits(&self.mesh, units))?;
         map.serialize_entry("solver", &InUnits(&self.solver, units))?;
         map.serialize_entry("output", &InUnits(&self.output, units))?;

@@ -17,6 +17,8 @@ pub mod domain;
 pub mod error;
 pub mod fatigue;
 pub mod fields;
+mod figure;
+mod find;
 pub mod hardening;
 pub mod hardness;
 pub mod initial_stress;
@@ -45,6 +47,7 @@ pub mod tensile;
 mod theory;
 mod three_dimensions;
 pub mod units;
+mod varied;
 
 pub use analysis::Analysis;
 pub use body::{Body, FarSupport};
@@ -54,6 +57,8 @@ pub use domain::Domain;
 pub use error::{FaultCode, FieldError, JobError};
 pub use fatigue::{BENDING_OF_HARDNESS, FatigueLimits, GivenLimits};
 pub use fields::{Field, FieldTable};
+pub use figure::{BarKind, Name, table_of_names};
+pub use find::{Find, Tolerance, Wanted};
 pub use hardening::{
     BackstressTerm, Bilinear, Hardening, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,
 };

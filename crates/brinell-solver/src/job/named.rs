@@ -3,7 +3,7 @@
 use brinell_method::observer::SolveStatus;
 use brinell_method::settings::Theory;
 use brinell_method::sought::TargetFigure;
-use brinell_method::words::Quantity;
+use brinell_method::words::{Quantity, Side};
 use strum::VariantArray;
 
 /// An enumeration that the wire format writes as a word. `strum` derives the words and the list.
@@ -28,6 +28,7 @@ pub trait Named: Copy + VariantArray + Into<&'static str> {
 }
 
 impl Named for Quantity {}
+impl Named for Side {}
 impl Named for SolveStatus {}
 impl Named for TargetFigure {}
 impl Named for Theory {}

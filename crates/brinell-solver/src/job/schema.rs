@@ -10,11 +10,11 @@ use super::fields::{Example, Field, FieldKind, FieldTable, NumberKind, Record, w
 use super::tensile::{StrainUnit, TensileTest, TestMeasure, YieldPlace};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Domain, Elastic,
-    FarSupport, FatigueLimits, GivenLimits, HardenedCase, Hardening, HardeningRule,
+    FarSupport, FatigueLimits, Find, GivenLimits, HardenedCase, Hardening, HardeningRule,
     HardnessProfile, HardnessScale, HardnessTest, InitialStress, Interpolation, Job, Load,
-    MeshSettings, Method, Named, OutputSettings, OverDepth, PositiveF64, RollerProfile, Rolling,
-    Shape, SolverSettings, Surface, Sweep, TargetFigure, TestScale, Theory, Units, Until, name,
-    tags, target,
+    MeshSettings, Method, Name, Named, OutputSettings, OverDepth, PositiveF64, RollerProfile,
+    Rolling, Shape, Side, SolverSettings, Surface, Sweep, TargetFigure, TestScale, Theory,
+    Tolerance, Units, Until, name, tags, target,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -120,6 +120,7 @@ impl Schemas<'_> {
             self.settings(&OutputSettings::TABLE, &OutputSettings::default(), &[]),
         ));
         all.extend(self.tensile_test());
+        all.extend(self.find());
         all
     }
 
@@ -194,6 +195,8 @@ impl Schemas<'_> {
                 ),
                 required("lower", self.named_as("ContactBody", "The body below the contact.")),
                 required("load", self.named("Load")),
+                optional("find", "Find", "An input that is sought for what it does to a figure."),
+                Entry { key: "tolerances", schema: tolerances(), required: false },
                 optional("mesh", "MeshSettings", "The mesh."),
                 optional("solver", "SolverSettings", "Iteration controls."),
                 optional("output", "OutputSettings", "What the result contains."),
@@ -674,10 +677,92 @@ impl Schemas<'_> {
         std::iter::once(("Target", target)).chain(each).collect()
     }
 
+    fn find(&self) -> [(&'static str, Value); 2] {
+        let figures: Vec<_> = Find::figures().map(Named::name).collect();
+        let end = |key, end: &str| Entry {
+            key,
+            schema: json!({
+                "type": ["string", "null"],
+                "description": format!("Figure that shall be as {end} as it becomes."),
+                "enum": figures.iter().copied().map(Value::from).chain([Value::Null]).collect::<Vec<_>>(),
+            }),
+            required: false,
+        };
+        let [upper, lower] = Side::BOTH.map(Side::name);
+        let body = json!({
+            "type": ["string", "null"],
+            "description": "Of which body the figure is, where both have it.",
+            "enum": [upper, lower, null],
+        });
+        let value = |name: Name| Entry {
+            key: name.name(),
+            schema: json!({
+                "type": ["number", "null"],
+                "description": format!("Wanted value: {}.", name.meaning()),
+            }),
+            required: false,
+        };
+        let mut until = vec![
+            end(Find::ENDS[0], "small"),
+            end(Find::ENDS[1], "large"),
+            Entry { key: Find::BODY, schema: body, required: false },
+        ];
+        until.extend(Find::figures().map(value));
+        let pointer = json!({"type": "string", "pattern": "^/"});
+        let vary = json!({
+            "description": "JSON pointer of a number of the bodies or the load, or a list of \
+                            those that all take the value.",
+            "anyOf": [
+                pointer,
+                {"type": "array", "items": pointer, "minItems": 1, "maxItems": Find::MOST_VARIED},
+            ],
+            "examples": ["/upper/shape/crown_radius"],
+        });
+        let between = json!({
+            "type": "array",
+            "description": "Ends of the search, the smaller one first, in the units of the job.",
+            "items": {"type": "number"},
+            "minItems": 2,
+            "maxItems": 2,
+        });
+        let required = |key, schema| Entry { key, schema, required: true };
+        let find = object(
+            "An input that is sought between two ends for what it does to a figure of the last \
+             load step. The result is that of the job with it.",
+            vec![
+                required("vary", vary),
+                required("between", between),
+                required("until", self.named("FindUntil")),
+            ],
+        );
+        let until = object(
+            "What shall be: one figure with its value, in its own unit, or `least` or `most`.",
+            until,
+        );
+        [("Find", find), ("FindUntil", until)]
+    }
+
     fn one_of(&self, description: &str, names: &[&str]) -> Value {
         let references: Vec<_> = names.iter().map(|name| self.named(name)).collect();
         json!({"description": description, "oneOf": references})
     }
+}
+
+/// Returns the schema of relative tolerances by JSON pointer.
+fn tolerances() -> Value {
+    json!({
+        "type": ["object", "null"],
+        "description": "Relative tolerances of numbers of the bodies and the load by JSON pointer: \
+                        the result tells what they do to every figure.",
+        "additionalProperties": {
+            "type": "number",
+            "exclusiveMinimum": 0,
+            "maximum": Tolerance::LARGEST,
+        },
+        "minProperties": 1,
+        "maxProperties": Tolerance::MOST,
+        "examples": [{"/lower/material/plasticity/yield_stress": 0.05}],
+    })
 }
 
 /// Returns the schema of a history of such loads.

@@ -234,7 +234,21 @@ pub fn job() -> impl Strategy<Value = Job> {
     (kinds, bodies, load(), settings(), names).prop_map(
         |((analysis, units), (one, other, swap), load, (mesh, solver, output), (title, tags))| {
             let (upper, lower) = if swap { (other, one) } else { (one, other) };
-            Job { title, analysis, units, upper, lower, load, mesh, solver, output, tags }
+            let (find, tolerances) = (None, Vec::new());
+            Job {
+                title,
+                analysis,
+                units,
+                upper,
+                lower,
+                load,
+                find,
+                tolerances,
+                mesh,
+                solver,
+                output,
+                tags,
+            }
         },
     )
 }

@@ -11,12 +11,12 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::answers::{AnswerBody, Name};
+use super::answers::Name;
 use super::known::is_shared;
 use super::{
-    Answer, ContactReport, FatigueReport, FieldsReport, IncrementsReport, LayersReport,
-    LoadApproach, PassesReport, RuleVerdict, ShakedownMap, Side, SurfaceReport, ValidityNote,
-    Verdict,
+    Answer, ContactReport, FatigueReport, FieldsReport, FoundReport, IncrementsReport,
+    LayersReport, LoadApproach, PassesReport, RuleVerdict, ShakedownMap, Side, SurfaceReport,
+    TolerancesReport, ValidityNote, Verdict,
 };
 use crate::solver::{IterationRecord, SolveStatus};
 
@@ -46,6 +46,12 @@ pub struct Report {
     /// What to keep in mind about figures that follow from more than one load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub validity: Vec<ValidityNote>,
+    /// The input that the job asks for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub found: Option<FoundReport>,
+    /// What tolerances of inputs do to the figures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tolerances: Option<TolerancesReport>,
     /// The mesh of the last step.
     pub mesh: MeshReport,
     /// Where the time went.
@@ -164,8 +170,7 @@ impl StepReport {
 
     /// Returns the row of a body.
     pub fn of_body(&self, name: Name, side: Side) -> Option<&Answer> {
-        let bodies = [Some(AnswerBody::from(side)), Some(AnswerBody::Both)];
-        self.answers.iter().find(|row| row.is(name) && bodies.contains(&row.body))
+        self.answers.iter().find(|row| row.is(name) && row.is_of(side))
     }
 }
 

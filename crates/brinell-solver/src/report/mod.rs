@@ -11,6 +11,7 @@ mod fatigue;
 mod field_arrays;
 mod fields;
 mod figure_names;
+mod find;
 mod findings;
 mod flow;
 mod half_spaces;
@@ -53,6 +54,7 @@ pub use field_arrays::{
 };
 pub use fields::FieldsReport;
 pub use figure_names::name_of;
+pub use find::{FoundReport, Looks, TolerancesReport};
 pub use findings::{validity_codes, validity_tables};
 pub use flow::{IncrementsReport, SurfaceReport};
 pub use half_spaces::{

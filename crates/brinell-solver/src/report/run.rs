@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use super::cost::JobEstimate;
+use super::find;
 use super::half_spaces::HalfSpaces;
 use super::meshed::Meshed;
 use super::rolling::Track;
@@ -57,6 +58,11 @@ fn engine(job: &Job) -> Result<Box<dyn Reported + '_>, SolveError> {
 /// # Errors
 /// The fields of the job that describe a contact outside the theory.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
+    if find::is_asked(job) { find::estimate(job, cost) } else { cost(job) }
+}
+
+/// Estimates the cost of one solve.
+fn cost(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     engine(job).and_then(|engine| engine.cost()).map_err(|error| {
         let whole = match &error {
             SolveError::Meshed(_) => "",
@@ -132,6 +138,19 @@ pub fn run_with(
 /// # Errors
 /// As [`run`].
 pub fn run_each(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+    on_step: &mut dyn FnMut(usize, StepReport),
+) -> Result<Report, RunError> {
+    if find::is_asked(job) {
+        return find::run_each(job, options, observer, on_step, solve);
+    }
+    solve(job, options, observer, on_step)
+}
+
+/// Solves a job once.
+fn solve(
     job: &Job,
     options: Options<'_>,
     observer: &mut dyn Observer,

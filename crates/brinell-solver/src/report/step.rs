@@ -177,6 +177,8 @@ impl<'a, E: Shown> StepWriter<'a, E> {
             answers,
             load_approach: load_approach::of_job(job, seen.curve, write),
             validity: seen.hardness.remarks(job, write),
+            found: None,
+            tolerances: None,
             mesh: MeshReport { passes: solved.passes, ..seen.mesh },
             timings_ms: timings(&solved.phases, elapsed, time),
             tags: job.tags.clone(),

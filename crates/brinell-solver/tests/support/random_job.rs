@@ -20,7 +20,7 @@ impl Random {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
@@ -28,11 +28,11 @@ impl Random {
         10f64.powf(self.between(low.log10(), high.log10()))
     }
 
-    fn happens(&mut self, probability: f64) -> bool {
+    pub fn happens(&mut self, probability: f64) -> bool {
         self.unit() < probability
     }
 
-    fn count(&mut self, most: u64) -> u64 {
+    pub fn count(&mut self, most: u64) -> u64 {
         1 + self.bits() % most
     }
 

@@ -57,7 +57,6 @@ from ._errors import (
 )
 from ._fatigue import Fatigue
 from ._fields import BodyFields, Fields
-from ._find import Found
 from ._grid import over_grid
 from ._hardness import brinell_test, rockwell_c, vickers
 from ._identify import Identification, identify
@@ -88,7 +87,6 @@ __all__ = [
     "Fatigue",
     "Fault",
     "Fields",
-    "Found",
     "Identification",
     "InvalidJob",
     "Job",

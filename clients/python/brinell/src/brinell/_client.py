@@ -20,7 +20,7 @@ from collections.abc import (
 )
 from contextlib import aclosing, closing
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeAlias, TypeVar
 
 import httpx
 
@@ -39,7 +39,7 @@ from ._core import (
 )
 from ._course import Course, Given, Outcome
 from ._fields import Fields
-from ._find import Figure, Found, figure_of, found_of, number_at, search, with_value
+from ._find import Ends, finding
 from ._grid import Grid, grid_of, table_of
 from ._local import LocalServer
 from ._plain import JobLike, document_of
@@ -380,37 +380,25 @@ class Client(_Connection):
         self,
         job: JobLike,
         pointer: Pointers,
-        figure: Figure,
-        value: float,
+        figure: str,
+        value: float | Literal["least", "most"],
         *,
-        tolerance: float = 2e-3,
-        most: int = 30,
-    ) -> Found[Result]:
-        """Looks for the value of a number with which a figure of the answer is as wanted.
+        between: Ends | None = None,
+    ) -> Result:
+        """Solves the job with the number with which a figure of the answer is as wanted.
 
-        Each look is a job; the search begins at the number that the job has, goes to both sides
-        until the figure passes the wanted value, and closes in on it.
+        The search is one job; `found` of its result has every look.
 
         Args:
-            job: the job to begin with.
+            job: the job.
             pointer: the number, as in `/upper/shape/radius`; several get the same value.
-            figure: a name among the answers, as `utilization` or `peak_pressure`, or a function
-                of the result.
-            value: the wanted figure: in the units of the job; a share as a number.
-            tolerance: how far the figure may be off, relative to the wanted one.
-            most: most jobs.
+            figure: a name among the answers, as `utilization` or `peak_pressure`.
+            value: the wanted figure, in the units of the job, a share as a number; or `least` or
+                `most`.
+            between: the ends of the search; a quarter and four times the number that the job has
+                where they are left out.
         """
-        pointers = (pointer,) if isinstance(pointer, str) else pointer
-        document, begin = number_at(job, pointers[0])
-        steps = search(begin, value, tolerance, most)
-        results: dict[float, Result] = {}
-        at = next(steps)
-        try:
-            while True:
-                results[at] = self.solve(with_value(document, pointers, at))
-                at = steps.send(figure_of(results[at], figure))
-        except StopIteration as end:
-            return found_of(end.value, results, value, tolerance)
+        return self.solve(finding(job, pointer, figure, value, between))
 
     def _result(self, report: dict[str, Any], id: str) -> Result:
         return Result(report, id, lambda id, step: self._run(self._core.fields(id, step)))
@@ -654,24 +642,13 @@ class AsyncClient(_Connection):
         self,
         job: JobLike,
         pointer: Pointers,
-        figure: Figure,
-        value: float,
+        figure: str,
+        value: float | Literal["least", "most"],
         *,
-        tolerance: float = 2e-3,
-        most: int = 30,
-    ) -> Found[AsyncResult]:
+        between: Ends | None = None,
+    ) -> AsyncResult:
         """As `Client.find`."""
-        pointers = (pointer,) if isinstance(pointer, str) else pointer
-        document, begin = number_at(job, pointers[0])
-        steps = search(begin, value, tolerance, most)
-        results: dict[float, AsyncResult] = {}
-        at = next(steps)
-        try:
-            while True:
-                results[at] = await self.solve(with_value(document, pointers, at))
-                at = steps.send(figure_of(results[at], figure))
-        except StopIteration as end:
-            return found_of(end.value, results, value, tolerance)
+        return await self.solve(finding(job, pointer, figure, value, between))
 
     async def _fetch(self, id: str, step: int) -> bytes:
         return await self._run(self._core.fields(id, step))

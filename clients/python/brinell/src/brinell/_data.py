@@ -15,6 +15,7 @@ import numpy as np
 from ._errors import BrinellError, ServiceError
 from ._fatigue import Fatigue
 from ._fields import Fields
+from ._found import found_of, tolerances_of
 from ._plain import need
 from ._rows import Row, line_of
 from ._step import Parts, Remark, Step
@@ -164,6 +165,16 @@ class ResultData(Parts):
         }
         frame: pd.DataFrame = pandas.DataFrame(curve)
         return frame
+
+    @property
+    def found(self) -> pd.DataFrame:
+        """The jobs of a search (`find`): `value`, `figure`, `error`; `attrs` has its answer."""
+        return found_of(self.data)
+
+    @property
+    def tolerances(self) -> pd.DataFrame:
+        """What tolerances of inputs do to each figure, a row for each."""
+        return tolerances_of(self.data)
 
     @property
     def hardness_curve(self) -> pd.DataFrame:

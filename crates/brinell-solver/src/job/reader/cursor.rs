@@ -120,6 +120,7 @@ impl<'a> Cursor<'a> {
     /// a valid unit system, only the sign is checked.
     pub fn quantity<T: TryFrom<f64>>(&self, quantity: Domain, units: Option<Units>) -> Option<T> {
         let written = self.number()?;
+        self.faults.reads(self.place, quantity);
         let (low, _) = quantity.range();
         let known = units.unwrap_or_default();
         let (wire_low, wire_high) = quantity.wire_range(known);

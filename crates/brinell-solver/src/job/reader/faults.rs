@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::fmt;
 
 use super::tree::Node;
-use crate::job::{FaultCode, FieldError};
+use crate::job::{Domain, FaultCode, FieldError};
 
 /// Most listed faults; further ones are only counted.
 pub const MAX_FAULTS: usize = 100;
@@ -43,9 +43,30 @@ impl Place<'_> {
 pub struct Faults {
     list: RefCell<Vec<FieldError>>,
     unlisted: Cell<usize>,
+    /// A place whose domain a reader asks for, and that domain once it is read.
+    watched: Option<(String, Cell<Option<Domain>>)>,
 }
 
 impl Faults {
+    /// Returns no faults, with an eye on the domain of the number at a pointer.
+    pub fn watching(pointer: &str) -> Self {
+        Self { watched: Some((pointer.to_owned(), Cell::default())), ..Self::default() }
+    }
+
+    /// Notes in which domain a number is read.
+    pub fn reads(&self, place: &Place<'_>, domain: Domain) {
+        if let Some((pointer, found)) = &self.watched
+            && place.pointer() == *pointer
+        {
+            found.set(Some(domain));
+        }
+    }
+
+    /// Returns the domain of the watched number, if it has one.
+    pub fn watched(self) -> Option<Domain> {
+        self.watched.and_then(|(_, found)| found.get())
+    }
+
     /// Records a fault. Its text is formatted only if the list has room.
     pub fn add(&self, place: &Place<'_>, code: FaultCode, detail: fmt::Arguments<'_>) {
         if self.list.borrow().len() < MAX_FAULTS {

@@ -4,12 +4,11 @@
 mod bodies;
 mod contact;
 mod fatigue;
-mod names;
 mod row;
 mod strength;
 
+pub use crate::job::{BarKind, Name, table_of_names};
 pub(super) use fatigue::endures;
-pub use names::{BarKind, Name, table_of_names};
 pub(super) use row::Bar;
 pub use row::{Answer, AnswerAt, AnswerBody, AnswerPlace, ErrorBar, ErrorWord};
 

@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::names::{BarKind, Name};
-use crate::job::{Named as _, Quantity, Side};
+use crate::job::{BarKind, Name, Named as _, Quantity, Side};
 use crate::report::{FatigueCriterion, SolvedHardening};
 
 /// One figure, made to be shown.
@@ -255,6 +254,16 @@ impl Answer {
     pub(in crate::report) fn not_known(self, reason: &str) -> Self {
         let row = Self { value: None, elastic: None, place: None, ..self };
         Self { at_least: None, at_most: None, ..row }.bar(Bar::none(reason)).text("")
+    }
+
+    /// Returns whether the row is that of a body, or of both.
+    pub fn is_of(&self, side: Side) -> bool {
+        [Some(AnswerBody::from(side)), Some(AnswerBody::Both)].contains(&self.body)
+    }
+
+    /// Returns whether both are rows of one figure.
+    pub fn is_alike(&self, other: &Self) -> bool {
+        (&self.name, self.body, self.at) == (&other.name, other.body, other.at)
     }
 
     /// Returns whether the row has this name.

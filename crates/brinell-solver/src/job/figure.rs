@@ -1,10 +1,10 @@
-//! The names of all rows. A row of the table makes its identifier, its label, its quantity, the
+//! The names of all figures, the rows of an answer. A row of the table makes its identifier, its label, its quantity, the
 //! kind of its bar and its line in `docs/reference/result.md`; a row of an answer that is not in
 //! the table does not compile.
 
 use strum::{IntoStaticStr, VariantArray};
 
-use crate::job::{Named, Quantity};
+use super::{Named, Quantity};
 
 /// Where the bar of a figure comes from, unless its row says otherwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,6 +77,11 @@ names! {
     Hardness "Hardness" Number Mesh
         "number of a test by a standard; of `berkovich` and `sphere` see `meyer_hardness`";
     ForceFound "Force found" Force Mesh "force under which a figure has the value that is wanted";
+    InputFound "Input found" Number Mesh
+        "number of the job with which a figure is as wanted; its bar is that of the figure over \
+         `input_elasticity`";
+    InputElasticity "Elasticity of the figure" Number None
+        "relative change of the figure that is wanted over that of the input found";
     FirstYieldForce "First yield" Force Exact
         "force under which a body begins to yield, of half-spaces; `load.onset` looks for `force`";
     FirstYieldPeakPressure "Peak pressure at first yield" Stress None

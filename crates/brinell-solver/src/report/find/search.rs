@@ -1,0 +1,178 @@
+//! The search over one number: where a figure crosses its value, and where it is least.
+
+/// Looks between the two ends of a bracket, at most. A figure that jumps needs all of them.
+const MOST: usize = 10;
+/// Looks after which a bracket is halved: secants of a bent figure may stay at one end.
+const PATIENCE: usize = 3;
+/// Looks at a least figure behind those at the five first places.
+const MOST_AT_LEAST: usize = 3;
+/// Parts of the range at which an optimum is looked for.
+const INNER: [f64; 3] = [0.5, 0.25, 0.75];
+
+/// One look at the figure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// The coordinate of the search.
+    pub at: f64,
+    /// How far the figure is above what is wanted.
+    pub off: f64,
+    /// Up to where that is near enough.
+    pub good: f64,
+}
+
+impl Point {
+    /// Returns whether the figure is as wanted.
+    pub fn is_good(self) -> bool {
+        self.off.abs() <= self.good
+    }
+
+    fn is_beside(self, other: Self) -> bool {
+        self.off * other.off < 0.0
+    }
+}
+
+/// Returns the crossings that the ends and, where those lie on one side, three places between them
+/// show, in the order of the coordinate; `None` where they show none.
+///
+/// # Errors
+/// Those of a look.
+pub fn crossings<E>(
+    [low, high]: [f64; 2],
+    look: &mut dyn FnMut(f64) -> Result<Point, E>,
+) -> Result<Option<Vec<Point>>, E> {
+    let mut points = vec![look(low)?, look(high)?];
+    let is_open = |points: &[Point]| {
+        points.iter().all(|point| !point.is_good() && !point.is_beside(points[0]))
+    };
+    for part in INNER {
+        if is_open(&points) {
+            points.push(look(low + part * (high - low))?);
+        }
+    }
+    if is_open(&points) {
+        return Ok(None);
+    }
+    points.sort_by(|one, other| one.at.total_cmp(&other.at));
+    let mut found: Vec<Point> = points.iter().copied().filter(|point| point.is_good()).collect();
+    for pair in points.windows(2) {
+        if let [one, other] = *pair
+            && one.is_beside(other)
+            && !one.is_good()
+            && !other.is_good()
+        {
+            found.push(crossing([one, other], look)?);
+        }
+    }
+    found.sort_by(|one, other| one.at.total_cmp(&other.at));
+    Ok(Some(found))
+}
+
+/// Closes a bracket by secants through the last and the best point, as long as they stay inside it.
+fn crossing<E>(
+    mut bracket: [Point; 2],
+    look: &mut dyn FnMut(f64) -> Result<Point, E>,
+) -> Result<Point, E> {
+    let mut best = bracket;
+    for number in 1..=MOST {
+        best.sort_by(|one, other| one.off.abs().total_cmp(&other.off.abs()));
+        let [one, other] = best;
+        let secant = one.at - one.off * (other.at - one.at) / (other.off - one.off);
+        let [low, high] = bracket.map(|point| point.at);
+        let halves = number % PATIENCE == 0 && number > PATIENCE;
+        let is_inside = secant > low && secant < high && !halves;
+        let at = if is_inside { secant } else { f64::midpoint(low, high) };
+        let point = look(at)?;
+        if point.is_good() {
+            return Ok(point);
+        }
+        bracket[usize::from(point.is_beside(bracket[0]))] = point;
+        best = [point, one];
+    }
+    best.sort_by(|one, other| one.off.abs().total_cmp(&other.off.abs()));
+    Ok(best[0])
+}
+
+/// Where a figure is least, and half the second derivative of `off` there; 0 at an end.
+///
+/// # Errors
+/// Those of a look.
+pub fn least<E>(
+    [low, high]: [f64; 2],
+    look: &mut dyn FnMut(f64) -> Result<Point, E>,
+) -> Result<(Point, f64), E> {
+    let mut points = Vec::new();
+    for part in [0.0, 1.0].into_iter().chain(INNER) {
+        points.push(look(low + part * (high - low))?);
+    }
+    for number in 0..=MOST_AT_LEAST {
+        points.sort_by(|one, other| one.at.total_cmp(&other.at));
+        let lowest = points.iter().enumerate().min_by(|a, b| a.1.off.total_cmp(&b.1.off));
+        let Some((place, &middle)) = lowest else { break };
+        let &[before, _, after] = points.get(place.wrapping_sub(1)..=place + 1).unwrap_or(&[])
+        else {
+            return Ok((middle, 0.0));
+        };
+        let slope = |one: Point, other: Point| (other.off - one.off) / (other.at - one.at);
+        let (left, right) = (slope(before, middle), slope(middle, after));
+        let bend = (right - left) / (after.at - before.at);
+        // The vertex of the parabola through the three points.
+        let at = f64::midpoint(before.at, middle.at) - left / (2.0 * bend);
+        let gain = bend * (at - middle.at).powi(2);
+        if number == MOST_AT_LEAST || gain.is_nan() || gain <= middle.good {
+            return Ok((middle, bend));
+        }
+        points.push(look(at)?);
+    }
+    Ok((points[0], 0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Searches a function for zero; returns the places and the number of looks.
+    fn zeros(ends: [f64; 2], of: impl Fn(f64) -> f64) -> (Option<Vec<f64>>, usize) {
+        let mut looks = 0;
+        let found = crossings(ends, &mut |at| {
+            looks += 1;
+            Ok::<_, ()>(Point { at, off: of(at), good: 1e-4 })
+        });
+        let places = |points: Vec<Point>| points.iter().map(|point| point.at).collect();
+        (found.unwrap().map(places), looks)
+    }
+
+    #[test]
+    fn a_power_takes_one_secant() {
+        let (found, looks) = zeros([0.0, 3.0], |at| 0.7 * at - 1.0);
+        assert!((found.unwrap()[0] - 1.0 / 0.7).abs() < 1e-3);
+        assert_eq!(looks, 3);
+    }
+
+    #[test]
+    fn bends_and_jumps_end() {
+        let (found, looks) = zeros([0.0, 3.0], |at| at.exp() - 5.0);
+        assert!((found.unwrap()[0] - 5.0_f64.ln()).abs() < 1e-4);
+        assert!(looks <= 8, "{looks}");
+        let (found, looks) = zeros([0.0, 3.0], |at| if at < 1.3 { -3.0 } else { 0.2 });
+        assert!((found.unwrap()[0] - 1.3).abs() < 0.05);
+        assert!(looks <= 2 + MOST, "{looks}");
+    }
+
+    #[test]
+    fn an_optimum_has_two_crossings_or_none() {
+        let (found, _) = zeros([-1.0, 2.0], |at| at * at - 0.25);
+        let found = found.unwrap();
+        assert_eq!(found.len(), 2);
+        assert!((found[0] + 0.5).abs() < 1e-3 && (found[1] - 0.5).abs() < 1e-3);
+        assert_eq!(zeros([-1.0, 2.0], |at| at * at + 0.1), (None, 5));
+    }
+
+    #[test]
+    fn the_least_figure_is_found_inside_and_at_an_end() {
+        let mut look = |at: f64| Ok::<_, ()>(Point { at, off: (at - 0.3).powi(2), good: 1e-9 });
+        let (found, bend) = least([-1.0, 2.0], &mut look).unwrap();
+        assert!((found.at - 0.3).abs() < 1e-9 && (bend - 1.0).abs() < 1e-9);
+        let (found, bend) = least([1.0, 2.0], &mut look).unwrap();
+        assert_eq!((found.at, bend), (1.0, 0.0));
+    }
+}

@@ -1,0 +1,36 @@
+//! What tolerances of inputs do to the figures, a line for each that answers the job.
+
+use super::number::significant;
+use crate::cli::style::Style;
+use brinell_solver::report::{Answer, TolerancesReport};
+
+/// The figures that have a row which answers the job. `rows` are those of the last step.
+pub(super) fn tolerances(told: &TolerancesReport, rows: &[Answer], style: Style) -> String {
+    let mut text = String::new();
+    for (number, (input, part)) in told.inputs.iter().zip(&told.tolerances).enumerate() {
+        let part = significant(100.0 * part, 3);
+        text.push_str(&style.dim(&format!("({}) {input} ± {part} %\n", number + 1)));
+    }
+    let inputs = (1..=told.inputs.len()).map(|number| format!("{:>8}", format!("({number})")));
+    let inputs: String = inputs.collect();
+    let head = format!("{:34}{:>12}{:>12}{inputs}\n", "± % by tolerances", "squares", "at worst");
+    text.push_str(&style.dim(&head));
+    for (at, (name, body)) in told.name.iter().zip(&told.body).enumerate() {
+        if !rows.iter().any(|row| row.name == *name && row.body == *body && !row.detail) {
+            continue;
+        }
+        let shown = |value: Option<f64>, factor: f64| {
+            value.map_or_else(|| "—".to_owned(), |value| significant(factor * value, 3))
+        };
+        let elasticities = told.elasticities[at].iter();
+        let elasticities: String =
+            elasticities.map(|one| format!("{:>8}", shown(*one, 1.0))).collect();
+        text.push_str(&format!(
+            "{:34}{:>12}{:>12}{elasticities}\n",
+            told.label[at],
+            shown(told.root_of_squares[at], 100.0),
+            shown(told.at_worst[at], 100.0)
+        ));
+    }
+    text
+}
