@@ -507,7 +507,7 @@ def test_a_number_is_found_for_a_figure(client: Client, job: Any) -> None:
     assert found.attrs["values"][0] in set(found["value"])
     assert "peak pressure is 1100" in found.attrs["text"].lower()
     # What no value gives is said, not made up.
-    with pytest.raises(brinell.JobFailed, match="nowhere"):
+    with pytest.raises(brinell.InvalidJob, match="nowhere"):
         client.find(job, both, "peak_pressure", 1e6)
     with pytest.raises(ValueError, match="no number above 0"):
         client.find(job, "/upper/shape/type", "peak_pressure", 1.0)

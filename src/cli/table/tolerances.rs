@@ -15,8 +15,8 @@ pub(super) fn tolerances(told: &TolerancesReport, rows: &[Answer], style: Style)
     let inputs: String = inputs.collect();
     let head = format!("{:34}{:>12}{:>12}{inputs}\n", "± % by tolerances", "squares", "at worst");
     text.push_str(&style.dim(&head));
-    for (at, (name, body)) in told.name.iter().zip(&told.body).enumerate() {
-        if !rows.iter().any(|row| row.name == *name && row.body == *body && !row.detail) {
+    for (at, name) in told.name.iter().enumerate() {
+        if !rows.iter().any(|row| row.name == *name && !row.detail) {
             continue;
         }
         let shown = |value: Option<f64>, factor: f64| {

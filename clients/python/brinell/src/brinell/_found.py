@@ -27,17 +27,17 @@ def found_of(report: Mapping[str, Any]) -> pd.DataFrame:
 
 
 def tolerances_of(report: Mapping[str, Any]) -> pd.DataFrame:
-    """What tolerances do to each row of the result: its `name`, `label` and `body`, its relative
-    changes `root_of_squares` and `at_worst`, and its elasticity for each input, whose pointer
-    names the column. `attrs` has the `tolerances` and `text`.
+    """What tolerances do to each row of the result: its `name`, `label` and `body`, its `error` by
+    the mesh, its relative changes `root_of_squares` and `at_worst`, and its elasticity for each
+    input, whose pointer names the column. `attrs` has the `tolerances` and `text`.
     """
     told = report.get("tolerances")
     if not told:
         raise BrinellError("the job has no `tolerances`")
-    kept = ("name", "label", "body", "root_of_squares", "at_worst")
+    kept = ("name", "label", "body", "error", "root_of_squares", "at_worst")
     frame: pd.DataFrame = need("pandas", "pandas").DataFrame({key: told[key] for key in kept})
     for k, pointer in enumerate(told["inputs"]):
         frame[pointer] = [row[k] for row in told["elasticities"]]
-    frame.attrs["tolerances"] = dict(zip(told["inputs"], told["tolerances"]))
+    frame.attrs["tolerances"] = dict(zip(told["inputs"], told["tolerances"], strict=True))
     frame.attrs["text"] = told["text"]
     return frame

@@ -67,8 +67,9 @@ pub fn seek(job: &Job, find: &Find, trials: &mut Trials<'_>) -> Result<Sought, R
     let ends = find.between.map(|end| seeker.coordinate(end));
     let Wanted::Value(wanted) = find.wanted else {
         let (found, bend) = search::least(ends, &mut |at| seeker.look(at))?;
-        let bent = (bend > 0.0).then_some(bend);
-        let error = |bar: f64| bent.map(|bend| (bar * found.off.abs() / bend).sqrt());
+        let is_bent = bend > 0.0 && found.off != 0.0;
+        let scale = if seeker.is_log() { 1.0 } else { seeker.value(found.at).abs() };
+        let error = |bar: f64| is_bent.then(|| (bar * found.off.abs() / bend).sqrt() / scale);
         return seeker.sought(&[found], None, error);
     };
     let (found, slope) = if let Some(target) = job.with_target(find, wanted) {

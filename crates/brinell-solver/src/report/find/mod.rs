@@ -3,6 +3,8 @@
 mod document;
 mod found;
 mod search;
+#[cfg(test)]
+mod tests;
 mod tolerances;
 mod trials;
 

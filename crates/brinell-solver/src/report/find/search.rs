@@ -2,8 +2,6 @@
 
 /// Looks between the two ends of a bracket, at most. A figure that jumps needs all of them.
 const MOST: usize = 10;
-/// Looks after which a bracket is halved: secants of a bent figure may stay at one end.
-const PATIENCE: usize = 3;
 /// Looks at a least figure behind those at the five first places.
 const MOST_AT_LEAST: usize = 3;
 /// Parts of the range at which an optimum is looked for.
@@ -67,29 +65,46 @@ pub fn crossings<E>(
     Ok(Some(found))
 }
 
-/// Closes a bracket by secants through the last and the best point, as long as they stay inside it.
+/// Closes a bracket by Chandrupatla's method: a secant first, then inverse parabolas where three
+/// looks tell one, else halves.
 fn crossing<E>(
-    mut bracket: [Point; 2],
+    [mut here, mut across]: [Point; 2],
     look: &mut dyn FnMut(f64) -> Result<Point, E>,
 ) -> Result<Point, E> {
-    let mut best = bracket;
-    for number in 1..=MOST {
-        best.sort_by(|one, other| one.off.abs().total_cmp(&other.off.abs()));
-        let [one, other] = best;
-        let secant = one.at - one.off * (other.at - one.at) / (other.off - one.off);
-        let [low, high] = bracket.map(|point| point.at);
-        let halves = number % PATIENCE == 0 && number > PATIENCE;
-        let is_inside = secant > low && secant < high && !halves;
-        let at = if is_inside { secant } else { f64::midpoint(low, high) };
-        let point = look(at)?;
+    let mut best = if here.off.abs() < across.off.abs() { here } else { across };
+    let mut part = here.off / (here.off - across.off);
+    for _ in 0..MOST {
+        let point = look(here.at + part * (across.at - here.at))?;
         if point.is_good() {
             return Ok(point);
         }
-        bracket[usize::from(point.is_beside(bracket[0]))] = point;
-        best = [point, one];
+        if point.off.abs() <= best.off.abs() {
+            best = point;
+        }
+        let before = if point.is_beside(here) { across } else { here };
+        if point.is_beside(here) {
+            across = here;
+        }
+        here = point;
+        part = inverse_parabola(here, across, before).unwrap_or(0.5);
     }
-    best.sort_by(|one, other| one.off.abs().total_cmp(&other.off.abs()));
-    Ok(best[0])
+    Ok(best)
+}
+
+/// Returns the part of the way from one side to the other at which the parabola through three looks
+/// crosses zero, where it rises or falls all the way.
+fn inverse_parabola(here: Point, across: Point, before: Point) -> Option<f64> {
+    let way = (here.at - across.at) / (before.at - across.at);
+    let rise = (here.off - across.off) / (before.off - across.off);
+    let is_one_to_one = rise.powi(2) < way && (1.0 - rise).powi(2) < 1.0 - way;
+    is_one_to_one.then(|| {
+        let [here_off, across_off, before_off] = [here.off, across.off, before.off];
+        let of_across =
+            here_off / (across_off - here_off) * before_off / (across_off - before_off);
+        let of_before =
+            here_off / (before_off - here_off) * across_off / (before_off - across_off);
+        of_across + (before.at - here.at) / (across.at - here.at) * of_before
+    })
 }
 
 /// Where a figure is least, and half the second derivative of `off` there; 0 at an end.
@@ -160,10 +175,12 @@ mod tests {
 
     #[test]
     fn an_optimum_has_two_crossings_or_none() {
-        let (found, _) = zeros([-1.0, 2.0], |at| at * at - 0.25);
+        let (found, _) = zeros([-1.0, 2.0], |at| at * at - 0.2);
         let found = found.unwrap();
         assert_eq!(found.len(), 2);
-        assert!((found[0] + 0.5).abs() < 1e-3 && (found[1] - 0.5).abs() < 1e-3);
+        assert!(
+            (found[0] + 0.2_f64.sqrt()).abs() < 1e-3 && (found[1] - 0.2_f64.sqrt()).abs() < 1e-3
+        );
         assert_eq!(zeros([-1.0, 2.0], |at| at * at + 0.1), (None, 5));
     }
 

@@ -2,8 +2,8 @@
 
 use super::document::TolerancesReport;
 use super::trials::{Trials, elasticity, refused, rows, words};
-use crate::job::{Job, Tolerance};
-use crate::report::{Answer, RunError};
+use crate::job::{Job, Named as _, Side, Tolerance};
+use crate::report::{Answer, AnswerBody, RunError};
 use crate::units::percent;
 
 /// Solves a job beside itself and returns what its tolerances do to its rows.
@@ -34,7 +34,8 @@ pub fn tolerances(
         tolerances: tolerances.iter().map(|one| one.relative).collect(),
         ..TolerancesReport::default()
     };
-    for effect in of_job.iter().filter_map(|row| effect(row, tolerances, &beside)) {
+    let of_bodies: Vec<Answer> = of_job.iter().flat_map(|row| of_bodies(row, &beside)).collect();
+    for effect in of_bodies.iter().filter_map(|row| effect(row, tolerances, &beside)) {
         if told.text.is_empty() && effect.at_worst > Some(0.0) {
             told.text = most(tolerances, &effect);
         }
@@ -47,6 +48,20 @@ pub fn tolerances(
         told.root_of_squares.push(effect.root_of_squares);
     }
     Ok(told)
+}
+
+/// Returns a row of both bodies as one of each, where another number makes them differ.
+fn of_bodies(row: &Answer, beside: &[[Vec<Answer>; 2]]) -> Vec<Answer> {
+    let is_whole = |rows: &Vec<Answer>| rows.iter().any(|other| other.is_alike(row));
+    if row.body != Some(AnswerBody::Both) || beside.iter().flatten().all(is_whole) {
+        return vec![row.clone()];
+    }
+    let of = |side: Side| Answer {
+        body: Some(AnswerBody::from(side)),
+        label: format!("{}, {}", row.label, side.name()),
+        ..row.clone()
+    };
+    Side::BOTH.map(of).into()
 }
 
 /// What tolerances do to one row.
@@ -63,7 +78,11 @@ fn effect<'a>(
     beside: &[[Vec<Answer>; 2]],
 ) -> Option<Effect<'a>> {
     row.value.filter(|value| *value != 0.0)?;
-    let at = |rows: &[Answer]| rows.iter().find(|other| other.is_alike(row))?.value;
+    let is_row = |other: &&Answer| {
+        let is_body = other.body == row.body || other.body == Some(AnswerBody::Both);
+        (&other.name, other.at) == (&row.name, row.at) && is_body
+    };
+    let at = |rows: &[Answer]| rows.iter().find(is_row)?.value;
     let pairs = tolerances.iter().zip(beside);
     let elasticities: Vec<_> = pairs
         .map(|(one, [less, more])| {
