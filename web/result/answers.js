@@ -77,7 +77,7 @@ export function errorWords(answer) {
   if (typeof error === 'number') return `± ${percent(errorOf(answer) ?? 0)}`;
   if (least === undefined) return error.replace('_', ' ');
   return most === undefined
-    ? `at least ${plain(least * shareOf(answer), 3)} ${unitOf(answer)}`.trim()
+    ? `at least ${plain(least * shareOf(answer), 4)} ${unitOf(answer)}`.trim()
     : `± ${figure(((most - least) / 2) * shareOf(answer), 2)} ${unitOf(answer)}`.trim();
 }
 

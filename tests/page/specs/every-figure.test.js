@@ -80,7 +80,7 @@ for (let example = 0; example < MANY; example += 1)
       );
       let count = 0;
       cards.forEach(({ figure, words }, k) => {
-        const { value, error, elastic, place, text, quantity, at_most: most } = answers[k];
+        const { value, error, elastic, place, text, quantity, at_least: least, at_most: most } = answers[k];
         const share = ['strain', 'ratio'].includes(quantity) ? 100 : 1;
         const shown = figuresIn(figure.replace(/(mm|N|MPa|%|mrad).*$/, ''));
         if (value === null) assert.ok(figure.startsWith('—'), figure);
@@ -92,6 +92,7 @@ for (let example = 0; example < MANY; example += 1)
         const numbers = [
           100 * error * (share > 1 ? Math.abs(value) : 1),
           elastic * share,
+          least * share,
           value / elastic,
           place?.x,
           place?.y,
