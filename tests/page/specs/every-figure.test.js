@@ -80,7 +80,16 @@ for (let example = 0; example < MANY; example += 1)
       );
       let count = 0;
       cards.forEach(({ figure, words }, k) => {
-        const { value, error, elastic, place, text, quantity, at_least: least, at_most: most } = answers[k];
+        const {
+          value,
+          error,
+          elastic,
+          place,
+          text,
+          quantity,
+          at_least: least,
+          at_most: most,
+        } = answers[k];
         const share = ['strain', 'ratio'].includes(quantity) ? 100 : 1;
         const shown = figuresIn(figure.replace(/(mm|N|MPa|%|mrad).*$/, ''));
         if (value === null) assert.ok(figure.startsWith('—'), figure);
