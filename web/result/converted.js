@@ -23,9 +23,9 @@ export const QUANTITIES = Object.fromEntries(
 );
 /**
  * Parts without units: relative errors, times, meshes whose figures are converted where they are
- * read.
+ * read. A search tells its looks in the units of the job.
  */
-export const LEFT = new Set(['timings_ms', 'fields', 'tags', 'validity', 'verdict']);
+export const LEFT = new Set(['timings_ms', 'fields', 'tags', 'validity', 'verdict', 'found']);
 
 /** What a row has in its unit. */
 const AMOUNTS = ['value', 'elastic', 'at_least', 'at_most'];
