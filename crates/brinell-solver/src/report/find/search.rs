@@ -3,7 +3,10 @@
 /// Looks between the two ends of a bracket, at most. A figure that jumps needs all of them.
 const MOST: usize = 10;
 /// Looks at a least figure behind those at the five first places.
-const MOST_AT_LEAST: usize = 3;
+const MOST_AT_LEAST: usize = 4;
+/// Part of the rise to the nearer neighbour by which a parabola may miss a look that it tells: one
+/// over a kink misses more.
+const MISSES: f64 = 0.1;
 /// Parts of the range at which an optimum is looked for.
 const INNER: [f64; 3] = [0.5, 0.25, 0.75];
 
@@ -116,6 +119,7 @@ pub fn least<E>(
     look: &mut dyn FnMut(f64) -> Result<Point, E>,
 ) -> Result<(Point, f64), E> {
     let mut points = Vec::new();
+    let mut is_parabola = None;
     for part in [0.0, 1.0].into_iter().chain(INNER) {
         points.push(look(low + part * (high - low))?);
     }
@@ -133,10 +137,18 @@ pub fn least<E>(
         // The vertex of the parabola through the three points.
         let at = f64::midpoint(before.at, middle.at) - left / (2.0 * bend);
         let gain = bend * (at - middle.at).powi(2);
-        if number == MOST_AT_LEAST || gain.is_nan() || gain <= middle.good {
+        let is_at_vertex = gain.is_nan() || gain <= middle.good;
+        if number == MOST_AT_LEAST || is_parabola == Some(true) && is_at_vertex {
             return Ok((middle, bend));
         }
-        points.push(look(at)?);
+        let side = if after.at - middle.at > middle.at - before.at { after } else { before };
+        let trusts = is_parabola != Some(false) && !is_at_vertex;
+        let place = if trusts { at } else { f64::midpoint(middle.at, side.at) };
+        let point = look(place)?;
+        let told = middle.off - gain + bend * (place - at).powi(2);
+        let rise = before.off.min(after.off) - middle.off;
+        is_parabola = Some((point.off - told).abs() <= middle.good.max(MISSES * rise));
+        points.push(point);
     }
     Ok((points[0], 0.0))
 }
@@ -189,6 +201,12 @@ mod tests {
         let mut look = |at: f64| Ok::<_, ()>(Point { at, off: (at - 0.3).powi(2), good: 1e-9 });
         let (found, bend) = least([-1.0, 2.0], &mut look).unwrap();
         assert!((found.at - 0.3).abs() < 1e-9 && (bend - 1.0).abs() < 1e-9);
+        let mut kink = |at: f64| {
+            let off = if at < 0.3 { 1.3 - at } else { 3.0 * at + 0.1 };
+            Ok::<_, ()>(Point { at, off, good: 1e-3 })
+        };
+        let (found, _) = least([-1.0, 2.0], &mut kink).unwrap();
+        assert!((found.at - 0.3).abs() < 0.2, "{found:?}");
         let (found, bend) = least([1.0, 2.0], &mut look).unwrap();
         assert_eq!((found.at, bend), (1.0, 0.0));
     }
