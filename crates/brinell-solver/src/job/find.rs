@@ -16,7 +16,7 @@ pub struct Find {
     pub between: [f64; 2],
     /// The figure of the last load step.
     pub figure: Name,
-    /// Of which body it is, where both have it; `None` for the first row of its name.
+    /// Of which body it is, where both have it; `None` for the largest figure of its name.
     pub body: Option<Side>,
     /// What it shall be.
     pub wanted: Wanted,
