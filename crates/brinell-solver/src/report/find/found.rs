@@ -130,7 +130,8 @@ impl Seeker<'_, '_> {
         let rows = rows(&report);
         let Find { figure, body, wanted, .. } = *self.find;
         let is_figure = |row: &&Answer| row.is(figure) && body.is_none_or(|side| row.is_of(side));
-        let known = rows.iter().filter(is_figure).filter_map(|row| Some((row.value?, row.clone())));
+        let known =
+            rows.iter().filter(is_figure).filter_map(|row| Some((row.value?, row.clone())));
         // Of several criteria, rules or bodies the largest figure decides.
         let Some((figure, row)) = known.max_by(|one, other| one.0.total_cmp(&other.0)) else {
             return Err(with(if rows.is_empty() {
