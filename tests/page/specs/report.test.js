@@ -46,7 +46,7 @@ service.test('a step without load has no columns of Hertz, and no stiffness', as
   await page.keyboard.press('Escape');
   await page.getByLabel('Step', { exact: true }).fill('0');
   await page.locator('#headline .rest summary').click();
-  await page.locator('#headline').getByText('slope of the force over the approach').waitFor();
+  await page.locator('#headline').getByText('with the plastic flow that it brings').waitFor();
   assert.equal(
     await (
       await sheet(page)
