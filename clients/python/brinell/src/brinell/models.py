@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from brinell._model import BaseModel
 from pydantic import ConfigDict, Field, RootModel, StringConstraints
@@ -353,6 +353,335 @@ class FatigueOfHardness(BaseModel):
     from_hardness: Annotated[Literal[True], Field(description='Always true.')]
     torsion: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class Vary(RootModel[str]):
+    root: Annotated[
+        str,
+        Field(
+            description='JSON pointer of a number of the bodies or the load, or a list of those that all take the value.',
+            examples=['/upper/shape/crown_radius'],
+            pattern='^/',
+        ),
+    ]
+
+
+class Vary1Item(RootModel[str]):
+    root: Annotated[str, Field(pattern='^/')]
+
+
+class Vary1(RootModel[list[Vary1Item]]):
+    root: Annotated[
+        list[Vary1Item],
+        Field(
+            description='JSON pointer of a number of the bodies or the load, or a list of those that all take the value.',
+            examples=['/upper/shape/crown_radius'],
+            max_length=8,
+            min_length=1,
+        ),
+    ]
+
+
+class FindUntil(BaseModel):
+    """
+    What shall be: one figure with its value, in its own unit, or `least` or `most`.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        float | None,
+        Field(description='Wanted value: how far the bodies have approached.'),
+    ] = None
+    body: Annotated[
+        Literal['upper', 'lower'] | None,
+        Field(description='Of which body the figure is, where both have it.'),
+    ] = None
+    constraint_factor: Annotated[
+        float | None,
+        Field(
+            description="Wanted value: mean pressure over the flow stress; Tabor's is 2.8."
+        ),
+    ] = None
+    contact_area: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: area of the contact; of heights that of the cells in contact.'
+        ),
+    ] = None
+    contact_ratio: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: cells in contact over the area of all heights.'
+        ),
+    ] = None
+    contact_stiffness: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: slope of the force over the approach, with the plastic flow that it brings.'
+        ),
+    ] = None
+    dent_depth: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: deepest point of the unloaded surface below the undeformed one.'
+        ),
+    ] = None
+    diameter: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: under the force; of pyramids the diagonal of a square of equal area.'
+        ),
+    ] = None
+    effective_radius: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: reciprocal of the sum of both curvatures across the shorter side of the contact.'
+        ),
+    ] = None
+    fatigue_utilization: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: shear stress of a criterion of high-cycle fatigue over the fatigue limit in torsion, largest of all depths.'
+        ),
+    ] = None
+    first_yield_force: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: force under which a body begins to yield, of half-spaces; `load.onset` looks for `force`.'
+        ),
+    ] = None
+    flow_stress: Annotated[
+        float | None,
+        Field(description='Wanted value: of the curve at the representative strain.'),
+    ] = None
+    force: Annotated[
+        float | None, Field(description='Wanted value: contact force.')
+    ] = None
+    forward_displacement: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: of the surface along the travel, by the last pass.'
+        ),
+    ] = None
+    friction: Annotated[
+        float | None,
+        Field(description='Wanted value: traction over pressure in the whole contact.'),
+    ] = None
+    half_angle: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: over which a pin touches its hole to each side of the middle.'
+        ),
+    ] = None
+    half_width: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: half of the distance between the ends of the contact; of a circle its radius.'
+        ),
+    ] = None
+    half_width_across: Annotated[
+        float | None,
+        Field(description='Wanted value: half-width of the contact across the travel.'),
+    ] = None
+    hardness: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: number of a test by a standard; of `berkovich` and `sphere` see `meyer_hardness`.'
+        ),
+    ] = None
+    indentation_area: Annotated[
+        float | None, Field(description='Wanted value: under the force.')
+    ] = None
+    indentation_depth: Annotated[
+        float | None, Field(description='Wanted value: under the force.')
+    ] = None
+    largest_sigma_x: Annotated[
+        float | None,
+        Field(description='Wanted value: along the travel, largest over depth.'),
+    ] = None
+    largest_sigma_z: Annotated[
+        float | None,
+        Field(description='Wanted value: across the travel, largest over depth.'),
+    ] = None
+    largest_von_mises: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: on the normal below the middle, over the strength there, that of the surface being 1.'
+        ),
+    ] = None
+    least: Annotated[
+        Literal['hardness', 'first_yield_force', 'strain_per_pass', 'track_depth', 'forward_displacement', 'pass_strain', 'net_strain', 'least_sigma_x', 'largest_sigma_x', 'least_sigma_z', 'largest_sigma_z', 'rolling_force', 'rolling_resistance', 'pass_work', 'friction', 'dent_depth', 'surface_depth', 'pile_up', 'permanent_approach', 'contact_ratio', 'nominal_pressure', 'moment', 'tilt', 'peak_pressure', 'middle_pressure', 'half_width', 'half_width_across', 'semi_axis_a', 'semi_axis_b', 'approach', 'force', 'mean_pressure', 'max_plastic_strain', 'mean_plastic_strain', 'utilization', 'margin', 'fatigue_utilization', 'shakedown_pressure', 'effective_radius', 'contact_stiffness', 'half_angle', 'orientation', 'contact_area', 'least_stress', 'largest_von_mises', 'plastic_area', 'shear_yield_stress', 'meyer_hardness', 'diameter', 'indentation_depth', 'indentation_area', 'representative_strain', 'flow_stress', 'constraint_factor', 'oliver_pharr_modulus', 'oliver_pharr_hardness', 'reduced_modulus'] | None,
+        Field(description='Figure that shall be as small as it becomes.'),
+    ] = None
+    least_sigma_x: Annotated[
+        float | None,
+        Field(description='Wanted value: along the travel, least over depth.'),
+    ] = None
+    least_sigma_z: Annotated[
+        float | None,
+        Field(description='Wanted value: across the travel, least over depth.'),
+    ] = None
+    least_stress: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: on the normal below the middle; without force the residual stress.'
+        ),
+    ] = None
+    margin: Annotated[
+        float | None,
+        Field(description='Wanted value: force of first yield over the force.'),
+    ] = None
+    max_plastic_strain: Annotated[
+        float | None,
+        Field(description='Wanted value: accumulated since the bodies were at rest.'),
+    ] = None
+    mean_plastic_strain: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: mean equivalent plastic strain over the area of the section that has yielded.'
+        ),
+    ] = None
+    mean_pressure: Annotated[
+        float | None, Field(description='Wanted value: force over the contact.')
+    ] = None
+    meyer_hardness: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: force over the area of the indentation under it; the answer of `berkovich` and `sphere`.'
+        ),
+    ] = None
+    middle_pressure: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: contact pressure in the middle, where that is not the peak; of a roller the largest across its middle.'
+        ),
+    ] = None
+    moment: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: of the pressure about the middle, positive towards y.'
+        ),
+    ] = None
+    most: Annotated[
+        Literal['hardness', 'first_yield_force', 'strain_per_pass', 'track_depth', 'forward_displacement', 'pass_strain', 'net_strain', 'least_sigma_x', 'largest_sigma_x', 'least_sigma_z', 'largest_sigma_z', 'rolling_force', 'rolling_resistance', 'pass_work', 'friction', 'dent_depth', 'surface_depth', 'pile_up', 'permanent_approach', 'contact_ratio', 'nominal_pressure', 'moment', 'tilt', 'peak_pressure', 'middle_pressure', 'half_width', 'half_width_across', 'semi_axis_a', 'semi_axis_b', 'approach', 'force', 'mean_pressure', 'max_plastic_strain', 'mean_plastic_strain', 'utilization', 'margin', 'fatigue_utilization', 'shakedown_pressure', 'effective_radius', 'contact_stiffness', 'half_angle', 'orientation', 'contact_area', 'least_stress', 'largest_von_mises', 'plastic_area', 'shear_yield_stress', 'meyer_hardness', 'diameter', 'indentation_depth', 'indentation_area', 'representative_strain', 'flow_stress', 'constraint_factor', 'oliver_pharr_modulus', 'oliver_pharr_hardness', 'reduced_modulus'] | None,
+        Field(description='Figure that shall be as large as it becomes.'),
+    ] = None
+    net_strain: Annotated[
+        float | None,
+        Field(description='Wanted value: kept by the pass, largest of all layers.'),
+    ] = None
+    nominal_pressure: Annotated[
+        float | None,
+        Field(description='Wanted value: force over the area of all heights.'),
+    ] = None
+    oliver_pharr_hardness: Annotated[
+        float | None, Field(description='Wanted value: force over that area.')
+    ] = None
+    oliver_pharr_modulus: Annotated[
+        float | None, Field(description='Wanted value: √π S / (2 √A).')
+    ] = None
+    orientation: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: angle from the x of the job to the x of the figures, towards the y of the job.'
+        ),
+    ] = None
+    pass_strain: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: accumulated by the pass, largest of all layers.'
+        ),
+    ] = None
+    pass_work: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: of plastic flow in both bodies, per length of travel.'
+        ),
+    ] = None
+    peak_pressure: Annotated[
+        float | None, Field(description='Wanted value: largest contact pressure.')
+    ] = None
+    permanent_approach: Annotated[
+        float | None, Field(description='Wanted value: approach without force.')
+    ] = None
+    pile_up: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: highest point of the surface above the undeformed one.'
+        ),
+    ] = None
+    plastic_area: Annotated[
+        float | None,
+        Field(description='Wanted value: area of the section that has yielded.'),
+    ] = None
+    reduced_modulus: Annotated[
+        float | None, Field(description='Wanted value: E* of both materials.')
+    ] = None
+    representative_strain: Annotated[
+        float | None,
+        Field(
+            description="Wanted value: Tabor's plastic strain: 0.2 a/R of a ball, 0.08 of a pyramid."
+        ),
+    ] = None
+    rolling_force: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: against the travel in the pass, without friction.'
+        ),
+    ] = None
+    rolling_resistance: Annotated[
+        float | None, Field(description='Wanted value: rolling force over the load.')
+    ] = None
+    semi_axis_a: Annotated[
+        float | None,
+        Field(description='Wanted value: shorter semi-axis of the contact.'),
+    ] = None
+    semi_axis_b: Annotated[
+        float | None,
+        Field(description='Wanted value: longer semi-axis of the contact.'),
+    ] = None
+    shakedown_pressure: Annotated[
+        float | None,
+        Field(
+            description="Wanted value: Hertz's peak up to which perfect plasticity shakes down."
+        ),
+    ] = None
+    shear_yield_stress: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: of both bodies the lower, where strength does not vary: the scale of the map of shakedown.'
+        ),
+    ] = None
+    strain_per_pass: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: plastic strain that each steady pass, or pair of passes, adds or moves.'
+        ),
+    ] = None
+    surface_depth: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: deepest point of the loaded surface below the undeformed one.'
+        ),
+    ] = None
+    tilt: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: positive where the surfaces are closer at positive y.'
+        ),
+    ] = None
+    track_depth: Annotated[
+        float | None,
+        Field(description='Wanted value: how far the surface has sunk, on the axis.'),
+    ] = None
+    utilization: Annotated[
+        float | None,
+        Field(
+            description='Wanted value: largest von Mises stress of elastic bodies over the yield stress there.'
+        ),
     ] = None
 
 
@@ -1616,6 +1945,32 @@ class Wedge(BaseModel):
     ]
 
 
+class Find(BaseModel):
+    """
+    An input that is sought between two ends for what it does to a figure of the last load step. The result is that of the job with it.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    between: Annotated[
+        list[float],
+        Field(
+            description='Ends of the search, the smaller one first, in the units of the job.',
+            max_length=2,
+            min_length=2,
+        ),
+    ]
+    until: FindUntil
+    vary: Annotated[
+        Vary | Vary1,
+        Field(
+            description='JSON pointer of a number of the bodies or the load, or a list of those that all take the value.',
+            examples=['/upper/shape/crown_radius'],
+        ),
+    ]
+
+
 class HardenedCase(BaseModel):
     """
     Hardness of a hardened case.
@@ -2404,6 +2759,10 @@ class ContactJob(BaseModel):
             description='Kinematics. Required, but for a hardness test, which is `axisymmetric`.'
         ),
     ] = None
+    find: Annotated[
+        Find | None,
+        Field(description='An input that is sought for what it does to a figure.'),
+    ] = None
     load: Annotated[
         ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad | TargetLoad | RollingLoad | HardnessLoad,
         Field(
@@ -2431,6 +2790,13 @@ class ContactJob(BaseModel):
             max_length=80,
             min_length=1,
             pattern='^[^\\u0000-\\u001f\\u007f-\\u009f]*$',
+        ),
+    ] = None
+    tolerances: Annotated[
+        dict[str, Any] | None,
+        Field(
+            description='Relative tolerances of numbers of the bodies and the load by JSON pointer: the result tells what they do to every figure.',
+            examples=[{'/lower/material/plasticity/yield_stress': 0.05}],
         ),
     ] = None
     units: Annotated[

@@ -465,6 +465,21 @@ class LoadApproach(BaseModel):
     ] = None
 
 
+class Looks(BaseModel):
+    """
+    Solved values of an input, the figure under each, and its relative error.
+    """
+
+    error: Annotated[
+        list[float | None],
+        Field(
+            description='Bound of its relative error; `null` without one. Without unit.'
+        ),
+    ]
+    figure: Annotated[list[float], Field(description='The figure.')]
+    value: Annotated[list[float], Field(description='Values of the input.')]
+
+
 class Cell(RootModel[int]):
     root: Annotated[int, Field(ge=0)]
 
@@ -909,6 +924,51 @@ class Timings(BaseModel):
     total: Annotated[float, Field(description='Everything. Unit: ms.', ge=0.0)]
 
 
+class Tolerances(BaseModel):
+    """
+    What tolerances of inputs do to the rows of the result that have a value: a list with one entry for each row.
+    """
+
+    at_worst: Annotated[
+        list[float | None],
+        Field(
+            description='Relative change where all tolerances add up; `null` with an elasticity that is not known. Without unit.'
+        ),
+    ]
+    body: Annotated[
+        list[Literal['upper', 'lower', 'both'] | None],
+        Field(description='Their bodies.'),
+    ]
+    elasticities: Annotated[
+        list[list[float | None]],
+        Field(
+            description='Relative change of the figure over that of each input; `null` where the figure is not known beside it. Without unit.'
+        ),
+    ]
+    error: Annotated[
+        list[float | None],
+        Field(
+            description='Bounds of their relative errors by mesh and increments; `null` without one. Without unit.'
+        ),
+    ]
+    inputs: Annotated[list[str], Field(description='JSON pointers of the inputs.')]
+    label: Annotated[list[str], Field(description='Their names for a person.')]
+    name: Annotated[list[str], Field(description='Names of the rows.')]
+    root_of_squares: Annotated[
+        list[float | None],
+        Field(
+            description='Root of the sum of the squares of their changes. Without unit.'
+        ),
+    ]
+    text: Annotated[
+        str, Field(description='Which input matters most, in one sentence.')
+    ]
+    tolerances: Annotated[
+        list[float],
+        Field(description='Their relative tolerances, to either side. Without unit.'),
+    ]
+
+
 class ValidityNote(BaseModel):
     """
     One remark on the validity of the answer.
@@ -976,6 +1036,28 @@ class Contact(BaseModel):
         ContactSection | None,
         Field(description='The cells of the section x = 0, in three dimensions.'),
     ] = None
+
+
+class Found(BaseModel):
+    """
+    The input with which a figure is as wanted: the row `input_found` of `answers`. The steps are those of the job with it.
+    """
+
+    figure: Annotated[str, Field(description='Name of the figure.')]
+    looks: Annotated[
+        Looks,
+        Field(description='The jobs that were solved, in the order of their values.'),
+    ]
+    text: Annotated[str, Field(description='The answer in one sentence.')]
+    values: Annotated[
+        list[float],
+        Field(
+            description='Values between the ends with which it is as wanted, that of this result first. Unit: that of `input_found`.'
+        ),
+    ]
+    vary: Annotated[
+        list[str], Field(description='JSON pointers of the numbers that were varied.')
+    ]
 
 
 class RuleVerdict(BaseModel):
@@ -1118,7 +1200,7 @@ class Step(BaseModel):
     fatigue: Annotated[
         FatigueOfBodies | None,
         Field(
-            description='Utilization over depth by criteria of high-cycle fatigue, of a load that rolls after its last pass; absent without limits of fatigue, `null` of a body without, and where it is not known.'
+            description='Utilization over depth by criteria of high-cycle fatigue, of a load that rolls after its last pass by the rule of hardening of its verdict; absent without limits of fatigue, `null` of a body without, and where it is not known.'
         ),
     ] = None
     fields: Annotated[
@@ -1208,6 +1290,9 @@ class Report(BaseModel):
             description='The figures that follow from more than one load: of a hardness test, and the sensitivity of a target.'
         ),
     ] = None
+    found: Annotated[
+        Found | None, Field(description='The input that the job asks for.')
+    ] = None
     load_approach: Annotated[
         LoadApproach | None, Field(description='The load–approach curve of a sweep.')
     ] = None
@@ -1228,6 +1313,10 @@ class Report(BaseModel):
         ),
     ]
     timings_ms: Annotated[Timings, Field(description='Where the time went.')]
+    tolerances: Annotated[
+        Tolerances | None,
+        Field(description='What tolerances of inputs do to the figures.'),
+    ] = None
     units: Annotated[
         Literal['mm_N_MPa', 'SI'],
         Field(
