@@ -232,7 +232,8 @@ impl Page {
             (None, ..) => format!("{:>19}{error}", ""),
         };
         let label = &answer.label;
-        let name = format!("{label}{unit:>width$}", width = 34 - label.chars().count().min(33));
+        let width = 34_usize.saturating_sub(label.chars().count()).max(unit.chars().count() + 1);
+        let name = format!("{label}{unit:>width$}");
         if let (None, Some(reason)) = (answer.value, &answer.reason) {
             let label = format!("{name}{plain}  ");
             return self.line(&wrapped(&label, &words(reason), " "));

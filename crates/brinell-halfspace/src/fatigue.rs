@@ -66,9 +66,13 @@ impl Utilization {
         self.largest.value - self.without_rest
     }
 
-    /// Range of the life over that of the elastic contact, over the exponents in use.
-    pub fn relative_life(&self) -> Option<[f64; 2]> {
-        relative_life(self.largest.value / self.elastic?).filter(|life| life[1].is_finite())
+    /// Range of the life over that of the elastic contact, over the exponents in use and a relative
+    /// error of the largest utilization.
+    pub fn relative_life(&self, error: f64) -> Option<[f64; 2]> {
+        let ratio = self.largest.value / self.elastic?;
+        let [least, _] = relative_life(ratio * (1.0 + error))?;
+        let [_, most] = relative_life(ratio * (1.0 - error))?;
+        most.is_finite().then_some([least, most])
     }
 }
 

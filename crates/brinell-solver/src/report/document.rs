@@ -93,7 +93,8 @@ pub struct StepReport {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub subsurface_below_peak: Option<PerBody<Option<SubsurfaceReport>>>,
     /// Utilization over depth by criteria of high-cycle fatigue, of a load that rolls after its last
-    /// pass; absent without limits of fatigue, `null` of a body without, and where it is not known.
+    /// pass by the rule of hardening of its verdict; absent without limits of fatigue, `null` of a
+    /// body without, and where it is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fatigue: Option<PerBody<Option<FatigueReport>>>,
     /// Plastic zone of each body; `null` for a rigid one.

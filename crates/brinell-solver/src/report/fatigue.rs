@@ -5,7 +5,6 @@ use brinell_halfspace::{Fatigue, Stop, Stopped, Utilization};
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray};
 
-use super::PerBody;
 use super::findings::Finding;
 use super::rolling::SolvedHardening;
 use crate::job::{Analysis, FatigueLimits, Job, Load, Named, Side};
@@ -70,12 +69,10 @@ pub struct FatigueReport {
     pub orthogonal_shear: Option<Vec<f64>>,
 }
 
-/// The fatigue of a body with limits, or why it is not known.
+/// The fatigue of a body with limits, or of both that are alike, or why it is not known.
 #[derive(Debug, Clone)]
 pub(super) struct BodyFatigue {
     pub side: Side,
-    /// Whether it is that of both bodies.
-    pub is_of_both: bool,
     pub found: Result<Fatigue, &'static str>,
     /// The rule of hardening, where two were solved, and whether it is that of the verdict.
     pub rule: Option<SolvedHardening>,
@@ -84,31 +81,37 @@ pub(super) struct BodyFatigue {
     pub pass: Option<usize>,
 }
 
-/// Returns the fatigue of the bodies with limits under a static load. `of` is that of one body, and
-/// `refused` why there is none. Of bodies that are alike the lower one stands for both.
+/// Returns the fatigue of the bodies with limits under a static load. `of` is that of one body, unless
+/// it is `refused`. Of bodies that are alike the lower one stands for both.
 ///
 /// # Errors
 /// The observer's [`Interrupt`].
 pub(super) fn of_pressed(
     job: &Job,
-    refused: &'static str,
+    is_alike: bool,
+    refused: Option<&'static str>,
     observer: &mut dyn Observer,
     mut of: impl FnMut(usize, &mut Stop<'_>) -> Result<Option<Fatigue>, Stopped>,
 ) -> Result<Vec<BodyFatigue>, Interrupt> {
-    let is_of_both = job.upper.is_alike(&job.lower);
-    let sides: &[Side] = if is_of_both { &[Side::Lower] } else { &Side::BOTH };
+    let is_indented = job.load.hardness().is_some();
+    let refused = is_indented.then_some("an indentation passes over no body").or(refused);
+    let sides: &[Side] = if is_alike { &[Side::Lower] } else { &Side::BOTH };
     let mut bodies = Vec::new();
     for side in sides.iter().filter(|side| job.fatigue(**side).is_some()) {
         let mut interrupt = None;
-        let found = of(side.member(), &mut || {
+        let mut stop = || {
             interrupt = ask(observer).err();
             interrupt.is_some()
-        });
+        };
+        let found = match refused {
+            Some(reason) => Ok(Err(reason)),
+            None => {
+                of(side.member(), &mut stop).map(|found| found.ok_or("the contact has no width"))
+            }
+        };
         let found = found.map_err(|Stopped| interrupt.unwrap_or(Interrupt::Cancelled))?;
-        let found = found.ok_or(refused);
         bodies.push(BodyFatigue {
             side: *side,
-            is_of_both,
             found,
             rule: None,
             is_of_verdict: true,
@@ -118,21 +121,8 @@ pub(super) fn of_pressed(
     Ok(bodies)
 }
 
-/// Returns the curves of the rule of the verdict; `None` without limits.
-pub(super) fn curves(
-    bodies: &[BodyFatigue],
-    write: UnitConverter,
-) -> Option<PerBody<Option<FatigueReport>>> {
-    let of = |side: Side| {
-        let mut of_verdict = bodies.iter().filter(|body| body.is_of_verdict);
-        let body = of_verdict.find(|body| body.side == side || body.is_of_both)?;
-        Some(curve(body.found.as_ref().ok()?, write))
-    };
-    let curves = || PerBody { upper: of(Side::Upper), lower: of(Side::Lower) };
-    (!bodies.is_empty()).then(curves)
-}
-
-fn curve(fatigue: &Fatigue, write: UnitConverter) -> FatigueReport {
+/// Returns the curves over depth.
+pub(super) fn curve(fatigue: &Fatigue, write: UnitConverter) -> FatigueReport {
     let of = |criterion: &Option<Utilization>| Some(criterion.as_ref()?.over_depth.clone());
     let [dang_van, crossland, orthogonal_shear] = fatigue.criteria.each_ref().map(of);
     FatigueReport {
@@ -143,12 +133,9 @@ fn curve(fatigue: &Fatigue, write: UnitConverter) -> FatigueReport {
     }
 }
 
-/// Returns the remarks on fatigue under a force; none without limits.
-pub(super) fn remarks(job: &Job, force: f64) -> Vec<Finding> {
+/// Returns the remarks on fatigue.
+pub(super) fn remarks(job: &Job) -> Vec<Finding> {
     let limits = Side::BOTH.map(|side| job.fatigue(side));
-    if !job.has_fatigue() || force <= 0.0 {
-        return Vec::new();
-    }
     let rolls = matches!(job.load, Load::Rolling(_));
     let is_meshed = !rolls && job.analysis != Analysis::ThreeDimensional;
     let by_hardness = limits.contains(&Some(FatigueLimits::FromHardness));

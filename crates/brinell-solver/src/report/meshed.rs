@@ -17,7 +17,7 @@ use super::{
     IncrementsReport, MeshReport, PerBody, PlasticityReport, ShakedownMap, contact, error_bars,
     fatigue, fields, flow, hardness, onset, plastic_zone, subsurface, target, validity,
 };
-use crate::fatigue::of_section;
+use crate::fatigue::{not_smooth, of_section};
 use crate::inputs::{SolveError, of_small_mesh, small_solves};
 use crate::job::Job;
 use crate::solver::method::figures::Figure;
@@ -134,18 +134,12 @@ impl Shown for Meshed<'_> {
         }
         arrays.covers = covers;
         if step.figures.force > 0.0 {
-            let field = &step.field;
-            let refused = if field.conforming.is_some() {
-                "a pin in its hole does not lie in a plane"
-            } else if !field.loaded_corners.is_empty() {
-                "a sharp corner carries pressure"
-            } else {
-                "the contact has no width"
-            };
             let of = |side: usize, stop: &mut Stop<'_>| {
                 of_section(step, &self.contact.problem, side, stop)
             };
-            arrays.fatigue = fatigue::of_pressed(self.job, refused, observer, of)?;
+            let is_alike = self.job.upper.is_alike(&self.job.lower);
+            let refused = without_fatigue(step);
+            arrays.fatigue = fatigue::of_pressed(self.job, is_alike, refused, observer, of)?;
         }
         if self.job.output.fields {
             arrays.fields = Some(fields::fields(step, write, observer)?);
@@ -243,6 +237,22 @@ impl Shown for Meshed<'_> {
             ..MeshReport::default()
         }
     }
+}
+
+/// Returns why the bodies of a contact have no fatigue.
+fn without_fatigue(step: &StepSolution) -> Option<&'static str> {
+    let field = &step.field;
+    if field.conforming.is_some() {
+        return Some("a pin in its hole does not lie in a plane");
+    }
+    if !field.loaded_corners.is_empty() {
+        return Some("a sharp corner carries pressure");
+    }
+    let patch = field.patch?;
+    // A ring lies on both sides of its axis.
+    let is_ring = field.symmetric && contact::patches(step).all(|part| part.left > 0.0);
+    let parts = contact::patches(step).count() + usize::from(is_ring);
+    not_smooth(parts, field.peak_position, [patch.left, patch.right])
 }
 
 /// Returns the plastic zone of a body, but for the depth at which it begins.

@@ -8,9 +8,7 @@ use super::hardness::HardnessSeen;
 use super::load_approach::CurvePoint;
 use super::shown::{Arrays, Parts, Shown, Solved};
 use super::target::TargetSeen;
-use super::{
-    LoadReport, MeshReport, Report, StepReport, Timings, fatigue, load_approach, validity,
-};
+use super::{LoadReport, MeshReport, Report, StepReport, Timings, load_approach, validity};
 use crate::contact::ContactLoad;
 use crate::inputs::SolveError;
 use crate::job::{Named as _, Quantity};
@@ -99,7 +97,7 @@ impl<'a, E: Shown> StepWriter<'a, E> {
             step.contact_stiffness = None;
             Arrays::default()
         });
-        let findings = engine.findings(&step);
+        let mut findings = engine.findings(&step);
         let parts = engine.parts(&mut self.seen.memory, &step, &findings);
         if job.load.is_history() && parts.leaves_unknown {
             self.seen.unknown = left_unknown(self.seen.unknown, &findings);
@@ -134,6 +132,9 @@ impl<'a, E: Shown> StepWriter<'a, E> {
         let answers = facts.rows();
         let verdict = facts.verdict(&answers);
         let verdict = self.seen.hardness.before(verdict, job, write);
+        let fatigue = facts.curves_of_fatigue(&answers);
+        let of_fatigue = facts.remarks_on_fatigue(&answers);
+        findings.extend(of_fatigue);
         StepReport {
             load: match step.load {
                 ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
@@ -152,7 +153,7 @@ impl<'a, E: Shown> StepWriter<'a, E> {
             passes: parts.passes,
             rules: parts.rules,
             validity: validity::remarks(&findings, write),
-            fatigue: fatigue::curves(&known.fatigue, write),
+            fatigue,
             fields: arrays.fields,
             layers: arrays.layers,
             history: step.history.iter().map(|record| in_units(record, write)).collect(),

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::fatigue;
 use super::findings::{CasePlace, Finding};
 use crate::analytical::von_mises;
 use crate::fem::assembly::GaussPoint;
@@ -18,7 +17,6 @@ pub(super) const IDLE: f64 = 0.5;
 /// Returns the findings on strength.
 pub(super) fn findings(job: &Job, step: &StepSolution) -> Vec<Finding> {
     let mut findings: Vec<Finding> = by_hardness(job).into_iter().collect();
-    findings.extend(fatigue::remarks(job, step.figures.force));
     let utilized = step.field.bodies.iter().flatten().filter_map(initial_utilization);
     let ratio = utilized.max_by(f64::total_cmp).filter(|ratio| *ratio > 1.0);
     findings.extend(ratio.map(|ratio| Finding::InitialYield { ratio }));

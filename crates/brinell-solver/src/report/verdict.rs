@@ -106,18 +106,20 @@ impl Facts<'_> {
     pub(super) fn verdict(&self, rows: &[Answer]) -> Verdict {
         let (level, text) = self.judged(rows);
         let is_answer = !matches!(level, VerdictLevel::NotConverged | VerdictLevel::Collapse);
-        let may_flow = level == VerdictLevel::AboveShakedownLimit;
-        let (mark, text) = match endures(rows, may_flow).filter(|_| is_answer) {
-            Some((true, endures)) => (level.mark(), format!("{text} {endures}")),
-            Some((false, endures)) => (level.mark().beside_fatigue(), format!("{text} {endures}")),
-            None => (level.mark(), text),
+        let endurance = endures(rows, self.may_flow(level)).filter(|_| is_answer);
+        let text = match &endurance {
+            Some(endurance) => format!("{text} {}", endurance.sentence),
+            None => text,
         };
+        let fails = endurance.filter(|endurance| !endurance.is_endured);
+        let mark = if fails.is_some() { level.mark().beside_fatigue() } else { level.mark() };
+        let by_fatigue = fails.filter(|_| mark != level.mark()).map(|fails| fails.worst);
         let is_shown = |row: &Answer| !row.detail || row.is(Name::FirstYieldForce);
         let of = |name: &Name| {
             let known = |row: &&Answer| row.is(*name) && row.value.is_some() && is_shown(row);
             rows.iter().find(known)
         };
-        let figure = self.deciding(level).iter().find_map(of);
+        let figure = by_fatigue.or_else(|| self.deciding(level).iter().find_map(of));
         Verdict {
             level,
             mark,
@@ -125,6 +127,16 @@ impl Facts<'_> {
             figure: figure.map(|row| row.name.clone()),
             body: figure.and_then(|row| row.body),
         }
+    }
+
+    /// Returns whether passes of the load may flow without end: those of a force under which a body
+    /// has yielded, unless Hertz's peak is within a known limit.
+    fn may_flow(&self, level: VerdictLevel) -> bool {
+        let hertz =
+            self.known.hertz.and_then(|hertz| Some((hertz.peak_pressure, hertz.shakedown?)));
+        let is_within = hertz.is_some_and(|(peak, [limit, _])| peak <= limit);
+        let has_flowed = self.known.rolled.is_none() && self.has_yielded();
+        level == VerdictLevel::AboveShakedownLimit || has_flowed && !is_within
     }
 
     /// Returns the rows that decide on a level, the first of which a step has.

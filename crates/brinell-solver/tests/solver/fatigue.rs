@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use brinell_solver::job::{Job, JobError};
-use brinell_solver::report::export::Export;
+use brinell_solver::report::export::{Export, ExportError};
 use brinell_solver::report::{
-    Answer, AnswerBody, ErrorBar, FatigueCriterion, Mark, Name, Report, StepReport, run,
+    Answer, AnswerBody, ErrorBar, FatigueCriterion, Mark, Name, Report, SolvedHardening,
+    StepReport, run,
 };
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
@@ -71,6 +72,8 @@ fn a_line_has_the_utilization_of_hertz() {
         near(row.value.unwrap() * TORSION / PEAK, 0.1818, 2.5e-3);
         near(row.elastic.unwrap() * TORSION / PEAK, 0.1818, 1e-3);
         assert!(row.body == Some(AnswerBody::Lower) && !row.detail);
+        // Its own life is 1 by definition.
+        assert!(step.row(Name::RelativeLife).is_none());
         let depth = row.place.unwrap().depth;
         assert!((0.5..0.75).contains(&depth), "{depth}");
         assert!(
@@ -169,6 +172,88 @@ fn assert_unknown(job: &Value, reason: &str) {
     let said = row.reason.as_deref().unwrap_or_default();
     assert!(row.value.is_none() && said.contains(reason), "{row:?}");
     assert!(!report.steps[0].verdict.text.contains("ndure"), "{:?}", report.steps[0].verdict);
+}
+
+/// Strips and depths follow the width of the whole contact, which its pressure must fill smoothly.
+#[test]
+fn pressures_of_other_kinds_have_no_utilization() {
+    let mut bumps = line(&steel(&limits()), &json!({"force": 400}));
+    let height = |k: i32| {
+        let x = 0.2 * f64::from(k);
+        [x, 0.127 * ((PI * x / 5.0).cos().abs() - 1.0)]
+    };
+    let points: Vec<_> = (-37..=37).map(height).collect();
+    bumps["upper"]["shape"] =
+        json!({"type": "profile", "points": points, "depth": 20, "interpolation": "smooth"});
+    assert_unknown(&bumps, "several parts");
+    let mut punch = line(&steel(&limits()), &json!({"force": 3000}));
+    punch["upper"]["shape"] = json!({"type": "punch", "width": 10, "depth": 20, "edge_radius": 1});
+    punch["mesh"] = json!({"elements_per_half_width": 8});
+    assert_unknown(&punch, "stands at the edge");
+    let mut roller = static_job(7);
+    roller["upper"]["shape"] = json!({"type": "roller", "radius": 5, "length": 10});
+    roller["load"] = json!({"force": 3000});
+    roller["mesh"] = json!({"elements_per_half_width": 5});
+    roller["lower"]["material"] = steel(&limits());
+    assert_unknown(&roller, "end of a roller");
+}
+
+/// An indenter does not travel, and a step without an answer has no curves.
+#[test]
+fn steps_without_an_answer_have_no_fatigue() {
+    let mut material = steel(&limits());
+    material["plasticity"] =
+        json!({"law": "bilinear", "yield_stress": 400, "tangent_modulus": 2000});
+    let mut job = line(&material, &json!({"force": 2.0 * force()}));
+    job["solver"] = json!({"max_iterations": 1});
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    let job = Job::from_value(&job).unwrap();
+    let report = run(&job, &mut Unobserved).unwrap();
+    let step = &report.steps[0];
+    assert_ne!(step.status, SolveStatus::Converged);
+    let curves = step.fatigue.as_ref().unwrap();
+    assert!(curves.upper.is_none() && curves.lower.is_none());
+    assert!(step.validity.iter().all(|note| note.code != "fatigue"));
+    assert_eq!(Export::FatigueCsv.write(&job, &report, None), Err(ExportError::NoFatigue));
+}
+
+/// The worse of both rules of hardening counts, whichever is the verdict.
+#[test]
+fn the_sentence_is_that_of_the_worse_rule() {
+    let mut material = steel(&json!({"torsion": 164, "bending": 273.3}));
+    material["plasticity"] =
+        json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10000});
+    let mut job = line(&material, &json!({"rolling": {"force": 350, "passes": 10}}));
+    job["upper"] = json!({
+        "shape": {"type": "cylinder", "radius": 20},
+        "material": {"young_modulus": YOUNG, "poisson_ratio": 0.3},
+    });
+    job["lower"]["shape"] = job["upper"]["shape"].clone();
+    job["solver"] = json!({"theory": "flow"});
+    job["mesh"] = json!({"elements_per_half_width": 12});
+    let report = solved(&job);
+    let step = &report.steps[0];
+    let of = |rule| {
+        let is_of = |row: &&Answer| {
+            row.is(Name::FatigueUtilization) && row.at.and_then(|at| at.hardening) == Some(rule)
+        };
+        step.answers.iter().find(is_of).unwrap()
+    };
+    let [kinematic, isotropic] = [SolvedHardening::Kinematic, SolvedHardening::Isotropic].map(of);
+    assert!(kinematic.value.unwrap() < 1.0 && isotropic.value.unwrap() > 1.0);
+    assert!(!kinematic.detail && isotropic.detail);
+    let says = "Does not endure by any of three criteria of fatigue (utilization 102 to 173 % in \
+                the lower body; the limit lies within the error).";
+    assert!(step.verdict.text.ends_with(says), "{:?}", step.verdict);
+    assert_eq!(step.verdict.figure.as_deref(), Some("fatigue_utilization"));
+    // The error of the utilization widens the range of the exponents, 9 to 10.3.
+    let life = step.row(Name::RelativeLife).unwrap();
+    let [least, most] = [life.at_least.unwrap(), life.at_most.unwrap()];
+    let ratio = kinematic.value.unwrap() / kinematic.elastic.unwrap();
+    let error = kinematic.error.bound().unwrap();
+    assert!(ratio < 1.0 && error > 0.0);
+    near(most, (ratio * (1.0 - error)).powf(-10.3), 1e-9 * most);
+    assert!(least <= ratio.powf(-9.0) && least < life.value.unwrap());
 }
 
 #[test]

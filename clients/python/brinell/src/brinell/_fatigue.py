@@ -35,14 +35,14 @@ class Fatigue:
 
     @property
     def utilization(self) -> dict[str, float]:
-        """The larger utilization of both bodies by each criterion; without those that are not
-        known.
+        """The largest utilization of both bodies and rules of hardening by each criterion; without
+        those that are not known, and empty where the rule of the verdict knows none.
         """
         found: dict[str, float] = {}
-        for row in self.rows:
-            criterion = (row.at or {}).get("criterion")
-            if criterion and not row.detail and not math.isnan(row.value):
-                found[criterion] = max(found.get(criterion, -math.inf), row.value)
+        known = [row for row in self.rows if not math.isnan(row.value)]
+        for row in known if any(not row.detail for row in known) else []:
+            criterion = (row.at or {})["criterion"]
+            found[criterion] = max(found.get(criterion, -math.inf), row.value)
         return found
 
     @property
@@ -55,6 +55,8 @@ class Fatigue:
         """Utilization by each criterion over body and depth."""
         pandas = need("pandas", "pandas")
         bodies = {body: one for body, one in self.data["fatigue"].items() if one}
+        if not bodies:
+            raise BrinellError(f"this step has no fatigue: {self.reason}")
         frame: pd.DataFrame = pandas.concat(
             {body: pandas.DataFrame(one).set_index("depth") for body, one in bodies.items()},
             names=["body"],

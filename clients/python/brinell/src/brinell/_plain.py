@@ -95,6 +95,8 @@ _KINDS: dict[str, str | tuple[str, str]] = {
             "modulus",
             "sigma_x",
             "sigma_z",
+            "torsion",
+            "bending",
             "mean_pressure",
             "peak_pressure",
         ],

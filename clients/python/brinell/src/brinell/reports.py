@@ -1200,7 +1200,7 @@ class Step(BaseModel):
     fatigue: Annotated[
         FatigueOfBodies | None,
         Field(
-            description='Utilization over depth by criteria of high-cycle fatigue, of a load that rolls after its last pass; absent without limits of fatigue, `null` of a body without, and where it is not known.'
+            description='Utilization over depth by criteria of high-cycle fatigue, of a load that rolls after its last pass by the rule of hardening of its verdict; absent without limits of fatigue, `null` of a body without, and where it is not known.'
         ),
     ] = None
     fields: Annotated[

@@ -212,7 +212,9 @@ impl Facts<'_> {
     fn middle_pressure(&self) -> Option<Answer> {
         let peak =
             self.bar_of(Figure::PeakPressure, 0).and(Some(self.known.figures.peak_pressure));
-        let pressure = self.known.figures.middle_pressure.filter(|found| Some(*found) != peak)?;
+        let is_other =
+            |middle: &f64| peak.is_none_or(|peak| (middle - peak).abs() > ROUNDING * peak);
+        let pressure = self.known.figures.middle_pressure.filter(is_other)?;
         let row = self.meshed(Name::MiddlePressure, pressure, (Figure::MiddlePressure, 0));
         let is_ahead = self.bar_of(Figure::MiddlePressure, 0).is_some()
             && self.bar_of(Figure::PeakPressure, 0).is_none()

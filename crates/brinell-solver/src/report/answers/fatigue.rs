@@ -4,12 +4,14 @@ use brinell_halfspace::{Fatigue, Utilization};
 use strum::VariantArray as _;
 
 use super::{Answer, AnswerAt, AnswerBody, Bar, Facts, Name};
-use crate::job::Named as _;
+use crate::job::{Named as _, Side};
 use crate::material::fatigue::Criterion;
-use crate::report::FatigueCriterion;
-use crate::report::fatigue::BodyFatigue;
+use crate::report::fatigue::{BodyFatigue, curve, remarks};
+use crate::report::findings::Finding;
+use crate::report::rolling::TrackVerdict;
+use crate::report::{FatigueCriterion, FatigueReport, PerBody};
 use crate::solver::method::figures::Figure;
-use crate::units::about;
+use crate::units::to_digits;
 
 impl Facts<'_> {
     /// Returns the utilization of each body by each criterion, its relative life, and the part of
@@ -26,7 +28,7 @@ impl Facts<'_> {
                 return vec![row.not_known(reason)];
             }
         };
-        let span = span(fatigue);
+        let is_elastic = self.is_as_elastic(fatigue);
         let mut rows = Vec::new();
         for (criterion, used) in Criterion::ALL.into_iter().zip(&fatigue.criteria) {
             let of = Some(criterion.into());
@@ -40,9 +42,13 @@ impl Facts<'_> {
                 continue;
             };
             let utilization = row(Name::FatigueUtilization, Some(used.largest.value));
-            rows.push(self.used(utilization, used, &span));
-            rows.extend(used.relative_life().map(|[least, most]| {
-                let row = row(Name::RelativeLife, Some(least));
+            let utilization = self.used(utilization, used);
+            let error = utilization.error.bound();
+            rows.push(utilization);
+            // Elastic bodies without residual stress are those that a life is counted by.
+            let life = error.filter(|_| !is_elastic).and_then(|error| used.relative_life(error));
+            rows.extend(life.map(|[least, most]| {
+                let row = row(Name::RelativeLife, Some((least * most).sqrt()));
                 let row = row.bar(Bar::none("the exponents in use differ"));
                 let row = Answer { at_least: Some(least), at_most: Some(most), ..row };
                 let row = row.text("over that of elastic bodies without residual stress");
@@ -57,6 +63,35 @@ impl Facts<'_> {
         if body.is_of_verdict { rows } else { rows.into_iter().map(Answer::detail).collect() }
     }
 
+    /// Returns the curves of the rule of the verdict, of bodies whose rows have values; `None` without
+    /// limits.
+    pub fn curves_of_fatigue(&self, rows: &[Answer]) -> Option<PerBody<Option<FatigueReport>>> {
+        let of = |side: Side| {
+            rows.iter().find(|row| is_known(row) && row.is_of(side) && !row.detail)?;
+            let is_of = |body: &&BodyFatigue| body.side == side || self.known.is_alike;
+            let body = self.known.fatigue.iter().filter(|body| body.is_of_verdict).find(is_of)?;
+            Some(curve(body.found.as_ref().ok()?, self.write))
+        };
+        let curves = || PerBody { upper: of(Side::Upper), lower: of(Side::Lower) };
+        (!self.known.fatigue.is_empty()).then(curves)
+    }
+
+    /// Returns the remarks on fatigue; none where no row has a value.
+    pub fn remarks_on_fatigue(&self, rows: &[Answer]) -> Vec<Finding> {
+        if rows.iter().any(is_known) { remarks(self.job) } else { Vec::new() }
+    }
+
+    /// Returns whether nothing has yielded and no stress stands still.
+    fn is_as_elastic(&self, fatigue: &Fatigue) -> bool {
+        let has_yielded = match &self.known.rolled {
+            Some(rolled) => {
+                rolled.rules.iter().any(|rule| rule.verdict() != TrackVerdict::Elastic)
+            }
+            None => self.has_yielded(),
+        };
+        !has_yielded && fatigue.criteria.iter().flatten().all(|used| used.of_rest() == 0.0)
+    }
+
     /// Returns a row of fatigue with its name and all that tells it from others.
     fn fatigue_row(
         &self,
@@ -67,14 +102,14 @@ impl Facts<'_> {
     ) -> Answer {
         let by = criterion.map(|by| format!(", {}", by.in_words())).unwrap_or_default();
         let rule = body.rule.map(|rule| format!(", {}", rule.name())).unwrap_or_default();
-        let of = if body.is_of_both { AnswerBody::Both } else { body.side.into() };
+        let of = self.body(body.side);
         let at = AnswerAt { pass: body.pass, hardening: body.rule, criterion, load: None };
         let row = self.row(name, value).labelled(&format!("{}{by}{rule}", name.label())).of(of);
         if at == AnswerAt::default() { row } else { row.at(at) }
     }
 
-    /// Returns the row of a utilization with its bar, its place and the span of all criteria.
-    fn used(&self, row: Answer, used: &Utilization, span: &str) -> Answer {
+    /// Returns the row of a utilization with its bar and its place.
+    fn used(&self, row: Answer, used: &Utilization) -> Answer {
         let of = row.body.unwrap_or(AnswerBody::Both);
         let place = self.place(of, [0.0, used.largest.across, used.largest.depth]);
         let size = used.largest.value.abs();
@@ -83,7 +118,7 @@ impl Facts<'_> {
             None if self.known.rolled.is_some() => Bar::none("half the columns do not bound it"),
             None => self.of_static(of, used),
         };
-        row.bar(bar).place(Some(place)).elastic(used.elastic).text(span)
+        row.bar(bar).place(Some(place)).elastic(used.elastic)
     }
 
     /// Returns the bar of a static load: that of the peak pressure, of which the stress is a multiple,
@@ -103,51 +138,69 @@ impl Facts<'_> {
     }
 }
 
-/// Returns whether the bodies endure by all criteria, and the sentence; `None` without limits and
-/// where fatigue is not known. Of both bodies the larger utilization counts. Passes of a load that
+/// Returns whether a row is a utilization that is known.
+fn is_known(row: &Answer) -> bool {
+    row.is(Name::FatigueUtilization) && row.value.is_some()
+}
+
+/// What the rows of fatigue say together.
+pub(in crate::report) struct Endurance<'a> {
+    /// Whether the bodies endure by all criteria.
+    pub is_endured: bool,
+    pub sentence: String,
+    /// The row of the largest utilization.
+    pub worst: &'a Answer,
+}
+
+/// Returns what the rows say: of both bodies, and of both rules of hardening, the larger utilization
+/// counts. `None` without limits and where the rule of the verdict knows none. Passes of a load that
 /// `may_flow` need not shake down.
-pub(in crate::report) fn endures(rows: &[Answer], may_flow: bool) -> Option<(bool, String)> {
-    let used: Vec<_> =
-        rows.iter().filter(|row| row.is(Name::FatigueUtilization) && !row.detail).collect();
-    let largest = |criterion: &FatigueCriterion| {
-        let of = |row: &&&Answer| row.at.and_then(|at| at.criterion) == Some(*criterion);
-        let values = used.iter().filter(of).filter_map(|row| row.value);
-        values.reduce(f64::max)
+pub(in crate::report) fn endures(rows: &[Answer], may_flow: bool) -> Option<Endurance<'_>> {
+    let used = || rows.iter().filter(|row| row.is(Name::FatigueUtilization));
+    rows.iter().find(|row| is_known(row) && !row.detail)?;
+    let by_value = |a: &&Answer, b: &&Answer| value(a).total_cmp(&value(b));
+    let decides = |criterion: &FatigueCriterion| {
+        let is_by = |row: &&Answer| row.at.and_then(|at| at.criterion) == Some(*criterion);
+        rows.iter().filter(|row| is_known(row)).filter(is_by).max_by(by_value)
     };
-    let largest: Vec<f64> = FatigueCriterion::VARIANTS.iter().filter_map(largest).collect();
-    let endured = largest.iter().filter(|value| **value <= 1.0).count();
-    let is_close = |row: &&Answer| {
-        let (value, bar) = (row.value.unwrap_or(0.0), row.error.bound().unwrap_or(0.0));
-        (value - 1.0).abs() <= bar * value.abs()
-    };
-    let close = if used.iter().any(is_close) { ", within the error of 100 %" } else { "" };
-    let span = percent_of(&largest)?;
+    let deciding: Vec<&Answer> = FatigueCriterion::VARIANTS.iter().filter_map(decides).collect();
+    let [least, worst] =
+        [deciding.iter().copied().min_by(by_value)?, deciding.iter().copied().max_by(by_value)?];
+    let endured = deciding.iter().filter(|row| value(row) <= 1.0).count();
     // Dang Van's criterion and orthogonal shear hold for all limits that a job may have.
-    let [of_all, all] = if largest.len() == 2 { ["two", "both"] } else { ["three", "all three"] };
+    let [of_all, all] = if deciding.len() == 2 { ["two", "both"] } else { ["three", "all three"] };
     let by = match endured {
         0 => format!("Does not endure by any of {of_all} criteria"),
-        every if every == largest.len() => format!("Endures by {all} criteria"),
+        every if every == deciding.len() => format!("Endures by {all} criteria"),
         1 => format!("Endures by one of {of_all} criteria"),
         _ => format!("Endures by two of {of_all} criteria"),
     };
     // A body of which nothing is known has a row without a criterion.
-    let is_unknown = |row: &&Answer| row.at.is_none_or(|at| at.criterion.is_none());
-    let bodies = if used.iter().any(is_unknown) { ", as far as it is known" } else { "" };
+    let is_unknown = |row: &Answer| row.at.is_none_or(|at| at.criterion.is_none());
+    let bodies = if used().any(is_unknown) { ", as far as it is known" } else { "" };
     let condition = if may_flow { ", if its passes shake down" } else { "" };
-    let text = format!("{by} of fatigue{bodies}{condition} (utilization {span}{close}).");
-    Some((endured == largest.len(), text))
+    let [low, high] = [least, worst].map(in_percent);
+    let span = if low == high { high } else { format!("{low} to {high}") };
+    let body = worst.body.map_or("", AnswerBody::in_words);
+    let is_close = |row: &&Answer| {
+        (value(row) - 1.0).abs() <= row.error.bound().unwrap_or(0.0) * value(row).abs()
+    };
+    let close =
+        if deciding.iter().any(is_close) { "; the limit lies within the error" } else { "" };
+    Some(Endurance {
+        is_endured: endured == deciding.len(),
+        sentence: format!(
+            "{by} of fatigue{bodies}{condition} (utilization {span} %{body}{close})."
+        ),
+        worst,
+    })
 }
 
-/// Returns the utilization by all criteria in words: their difference is the bias of the theory.
-fn span(fatigue: &Fatigue) -> String {
-    let values: Vec<f64> = fatigue.largest().into_iter().flatten().collect();
-    percent_of(&values).map(|span| format!("{span} by all criteria")).unwrap_or_default()
+fn value(row: &Answer) -> f64 {
+    row.value.unwrap_or(f64::NEG_INFINITY)
 }
 
-/// Returns the range of values in per cent.
-fn percent_of(values: &[f64]) -> Option<String> {
-    let least = values.iter().copied().reduce(f64::min)?;
-    let most = values.iter().copied().reduce(f64::max)?;
-    let [least, most] = [least, most].map(|value| about(100.0 * value));
-    Some(if least == most { format!("{most} %") } else { format!("{least} to {most} %") })
+/// Returns a utilization in the digits that its error leaves.
+fn in_percent(row: &Answer) -> String {
+    to_digits(100.0 * value(row), row.error.digits(value(row)).clamp(2, 3))
 }

@@ -85,7 +85,7 @@ impl Table {
             Export::HardnessCsv if job.load.hardness().is_none() || first.increments.is_none() => {
                 return Err(ExportError::NoHardness);
             }
-            Export::FatigueCsv if first.fatigue.is_none() => return Err(ExportError::NoFatigue),
+            Export::FatigueCsv if !has_fatigue(first) => return Err(ExportError::NoFatigue),
             Export::PassesCsv if first.passes.is_none() => return Err(ExportError::NotRolling),
             _ => {}
         }
@@ -310,6 +310,12 @@ fn cells(text: &mut String, number: usize, step: &StepReport) {
             row(0.0, *y, *pressure, *gap);
         }
     }
+}
+
+fn has_fatigue(step: &StepReport) -> bool {
+    let is_known =
+        |both: &PerBody<Option<FatigueReport>>| both.upper.is_some() || both.lower.is_some();
+    step.fatigue.as_ref().is_some_and(is_known)
 }
 
 /// Writes `step, body, depth` and the utilization by each criterion.

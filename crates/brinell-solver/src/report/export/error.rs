@@ -37,10 +37,10 @@ pub enum ExportError {
     /// The load does not roll.
     #[error("the result has no passes; its load is {{\"rolling\": {{\"force\": 2000}}}}")]
     NotRolling,
-    /// No body has limits of fatigue.
+    /// No fatigue is known under the first load.
     #[error(
-        "the result has no fatigue; its materials have no \"fatigue\": {{\"torsion\": 480, \
-         \"bending\": 800}}"
+        "the first load has no fatigue: its rows `fatigue_utilization` say why, or no material has \
+         \"fatigue\": {{\"torsion\": 480, \"bending\": 800}}"
     )]
     NoFatigue,
     /// The job is no hardness test.

@@ -4,7 +4,6 @@ use super::spots;
 use crate::inputs::along_axes;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
 use crate::material::Solid;
-use crate::report::fatigue;
 use crate::report::findings::{
     CasePlace, Deformation, Finding, FinerBy, Known, OnsetUnknown, Unconverged, Wide, Work,
     guesses, left_unknown,
@@ -84,7 +83,6 @@ pub(super) fn findings(
     }
     findings.extend(bilinear_curve(job, strain));
     findings.extend(by_hardness(job));
-    findings.extend(fatigue::remarks(job, step.figures.force));
     let coarsest = bodies()
         .filter_map(|(side, body)| coarsest(deformable([&job.upper, &job.lower][side])?, body));
     if let Some((ratio, depth)) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
@@ -273,12 +271,13 @@ pub(super) fn reaches_rim(map: &SurfaceMap) -> bool {
     map.pressure.iter().enumerate().any(|(cell, pressure)| *pressure > 0.0 && is_rim(cell))
 }
 
-fn has_kinks(problem: &HalfSpaceProblem) -> bool {
+/// Returns whether the profile of a roller has kinks.
+pub(super) fn has_kinks(problem: &HalfSpaceProblem) -> bool {
     problem.rollers.iter().any(|roller| matches!(roller.relief, Relief::Points(_)))
 }
 
 /// Returns the finding on a contact that reaches an end of a roller.
-fn roller_end(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
+pub(super) fn roller_end(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
     let (half_length, map) = (problem.half_length()?, &step.field.surface);
     let (ny, hy) = (map.grid.ny(), map.grid.hy());
     let is_at_end = |cell: usize| half_length - map.grid.y(cell % ny).abs() < hy;

@@ -4,13 +4,14 @@ use brinell_halfspace::Stop;
 
 use super::document::{MapsReport, PressureQuantiles, RollerReport, SectionReport};
 use super::estimate::estimate;
-use super::findings::{findings, largest_strain};
+use super::findings::{findings, has_kinks, largest_strain, roller_end};
 use super::flow::{FlowState, surfaces};
 use super::layers::layers;
 use super::measured::measured;
 use super::sections::{middle, section_along_x, section_along_y};
 use super::{seats, spots};
 use crate::contact::ContactLoad;
+use crate::fatigue::not_smooth;
 use crate::inputs::SolveError;
 use crate::job::{Deformable, Job, Load, Material, Quantity};
 use crate::report::cost::JobEstimate;
@@ -80,8 +81,8 @@ impl Shown for HalfSpaces<'_> {
         let (field, bodies) = (&step.field, &step.field.bodies);
         let of = |side: usize, stop: &mut Stop<'_>| field.fatigue(&self.problem, side, stop);
         let fatigue = if step.figures.force > 0.0 {
-            let refused = "the contact of single asperities is not resolved";
-            fatigue::of_pressed(self.job, refused, observer, of)?
+            let refused = self.without_fatigue(step);
+            fatigue::of_pressed(self.job, self.is_alike(step), refused, observer, of)?
         } else {
             Vec::new()
         };
@@ -129,8 +130,7 @@ impl Shown for HalfSpaces<'_> {
                 whole: self.whole(step),
                 rolled: None,
                 fatigue: Vec::new(),
-                is_alike: problem.materials[0] == problem.materials[1]
-                    && known::is_shared(&step.field.bodies),
+                is_alike: self.is_alike(step),
                 is_graded: problem
                     .materials
                     .iter()
@@ -179,6 +179,28 @@ impl<'a> HalfSpaces<'a> {
     pub fn new(job: &'a Job, (problem, reference): (HalfSpaceProblem, EllipticReference)) -> Self {
         let write = UnitConverter::new(job.units, job.analysis);
         Self { job, write, orientation: problem.orientation(), problem, reference }
+    }
+
+    /// Returns whether both bodies have the same figures.
+    fn is_alike(&self, step: &HalfSpaceStep) -> bool {
+        self.problem.materials[0] == self.problem.materials[1]
+            && known::is_shared(&step.field.bodies)
+    }
+
+    /// Returns why the bodies of a contact have no fatigue.
+    fn without_fatigue(&self, step: &HalfSpaceStep) -> Option<&'static str> {
+        if self.problem.heights.is_some() {
+            return Some("the contact of single asperities is not resolved");
+        }
+        if roller_end(&self.problem, step).is_some() || has_kinks(&self.problem) {
+            return Some("the end of a roller or a kink of its profile carries pressure");
+        }
+        let map = &step.field.surface;
+        let rows = Row::all(&map.grid, &map.pressure).into_iter().enumerate();
+        let touched = rows.filter(|(_, row)| row.half_width > 0.0).map(|(j, _)| map.grid.y(j));
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let ends = touched.fold(none, |[low, high], y| [low.min(y), high.max(y)]);
+        not_smooth(1, step.field.peak_position[1], ends)
     }
 
     /// Returns the elastic contact of the same bodies.

@@ -5,7 +5,6 @@ use brinell_halfspace::track::TrackFault;
 use super::document::TrackVerdict;
 use super::verdicts::{word, worst};
 use crate::job::Job;
-use crate::report::fatigue;
 use crate::report::findings::{Advice, Finding, Unconverged, Wide, guesses};
 use crate::report::strength::by_hardness;
 use crate::report::validity::{WIDE_CONTACT, large_strain, smallest_radius};
@@ -62,7 +61,6 @@ pub(super) fn findings(
         findings.push(Finding::FullSliding);
     }
     findings.extend(by_hardness(job));
-    findings.extend(fatigue::remarks(job, step.figures.force));
     findings.extend(guesses(job));
     if half_width > 0.0 {
         let across_roller = problem.is_line();

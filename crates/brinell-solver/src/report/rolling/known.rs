@@ -5,6 +5,9 @@ use crate::job::Side;
 use crate::report::answers::Name;
 use crate::solver::rolling::{BodyPass, BodyPassErrors, Limit, Pass, PassErrors};
 
+/// Part of the force below which a rolling force is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// A track after its passes.
 #[derive(Debug, Clone)]
 pub(in crate::report) struct Rolled {
@@ -111,6 +114,7 @@ impl PassFigures {
         // Rolling force and resistance have the relative error of the plastic work.
         let scaled = |value: f64| work.map(|work| work * (value / pass.plastic_work()).abs());
         let rolling = pass.rolling_force;
+        let rolling = if rolling.abs() > ROUNDING * force { rolling } else { 0.0 };
         let mut contact = vec![
             of(Name::PeakPressure, pass.peak_pressure, error(|errors| errors.peak_pressure)),
             of(Name::HalfWidth, pass.half_width(), error(|errors| errors.half_width)),

@@ -314,7 +314,6 @@ impl Passes<'_> {
         let of_rule = |(k, ((found, verdicts), rule)): (usize, (Answered<'_>, &Ruled))| {
             let of = |side: Side| BodyFatigue {
                 side,
-                is_of_both: is_one,
                 found: found[side.member()].clone().ok_or(refused(verdicts[side.member()])),
                 rule: (rolled.rules.len() > 1).then_some(rule.hardening()),
                 is_of_verdict: k == rolled.worst,

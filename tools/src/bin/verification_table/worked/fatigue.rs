@@ -56,14 +56,14 @@ fn raceway(_: &Value) -> Computed {
     for (criterion, word) in CRITERIA {
         let used = row(&step, Name::FatigueUtilization, criterion).ok_or("no utilization")?;
         let part = row(&step, Name::FatigueOfResidualStress, criterion).and_then(|row| row.value);
+        let part = part.map_or_else(|| "–".to_owned(), |part| format!("{:.0} %", 100.0 * part));
         let life = row(&step, Name::RelativeLife, criterion).ok_or("no life")?;
         writeln!(
             table,
-            "| {word} | {:.0} % | {:.0} % | {:.3} | {:.0} % | {:.1} to {:.1} |",
+            "| {word} | {:.0} % | {:.0} % | {:.3} | {part} | {:.1} to {:.1} |",
             100.0 * used.elastic.ok_or("no Hertz")?,
             100.0 * used.value.ok_or("no value")?,
             used.place.ok_or("no place")?.depth,
-            100.0 * part.unwrap_or(0.0),
             life.at_least.ok_or("no life")?,
             life.at_most.ok_or("no life")?,
         )?;
