@@ -161,7 +161,7 @@ names! {
          of all depths";
     RelativeLife "Relative life" Number None
         "passes until fatigue over those of elastic bodies without residual stress under the force: \
-         a power of both shear stresses, the middle of exponents from 9 to 10.3 and of their error";
+         a power of both shear stresses, the middle over exponents from 9 to 10.3 and the error";
     FatigueOfResidualStress "Fatigue by residual stress" Ratio None
         "part of residual and initial stress in the utilization, below zero where it helps";
     ShakedownPressure "Shakedown pressure" Stress Exact

@@ -48,7 +48,7 @@ impl Facts<'_> {
             // Elastic bodies without residual stress are those that a life is counted by.
             let life = error.filter(|_| !is_elastic).and_then(|error| used.relative_life(error));
             rows.extend(life.map(|[least, most]| {
-                let row = row(Name::RelativeLife, Some((least * most).sqrt()));
+                let row = row(Name::RelativeLife, Some(0.5 * (least + most)));
                 let row = row.bar(Bar::none("the exponents in use differ"));
                 let row = Answer { at_least: Some(least), at_most: Some(most), ..row };
                 let row = row.text("over that of elastic bodies without residual stress");
