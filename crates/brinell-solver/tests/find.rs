@@ -57,7 +57,7 @@ fn ball() -> Value {
     })
 }
 
-fn finding(mut job: Value, vary: &str, between: [f64; 2], until: Value) -> Value {
+fn finding(mut job: Value, vary: &str, between: [f64; 2], until: &Value) -> Value {
     job["find"] = json!({"vary": vary, "between": between, "until": until});
     job
 }
@@ -81,7 +81,7 @@ fn a_radius_is_that_of_hertz() {
         (ball(), 100.0, |force, p0| (6.0 * force * MODULUS.powi(2) / (PI * p0).powi(3)).sqrt()),
     ] {
         let until = json!({"peak_pressure": 1500});
-        let report = solve(&finding(job, "/upper/shape/radius", [2.0, 200.0], until));
+        let report = solve(&finding(job, "/upper/shape/radius", [2.0, 200.0], &until));
         let (radius, row) = input(&report);
         let ErrorBar::Relative(error) = row.error else { panic!("{row:?}") };
         assert!(error < 0.05, "{row:?}");
@@ -99,7 +99,7 @@ fn a_radius_is_that_of_hertz() {
 fn the_value_that_is_told_is_the_job_that_is_solved() {
     let mut job = line();
     let until = json!({"half_width": 0.4});
-    let found = solve(&finding(job.clone(), "/upper/shape/radius", [5.0, 100.0], until));
+    let found = solve(&finding(job.clone(), "/upper/shape/radius", [5.0, 100.0], &until));
     job["upper"]["shape"]["radius"] = json!(input(&found).0);
     assert_eq!(solve(&job).steps[0].answers, found.steps[0].answers);
 }
@@ -131,7 +131,7 @@ fn elasticities_are_the_exponents_of_hertz() {
 #[test]
 fn a_force_is_that_of_a_target() {
     let until = json!({"peak_pressure": 1500});
-    let found = solve(&finding(line(), "/load/force", [10.0, 1e5], until));
+    let found = solve(&finding(line(), "/load/force", [10.0, 1e5], &until));
     let mut target = line();
     target["load"] = json!({"target": {"peak_pressure": 1500}});
     let target = solve(&target);
@@ -145,7 +145,7 @@ fn a_force_is_that_of_a_target() {
 fn numbers_are_in_the_units_of_the_job() {
     let found = |job, ends, peak| {
         let report =
-            solve(&finding(job, "/upper/shape/radius", ends, json!({"peak_pressure": peak})));
+            solve(&finding(job, "/upper/shape/radius", ends, &json!({"peak_pressure": peak})));
         let (radius, row) = input(&report);
         (radius, row.unit.clone())
     };
@@ -186,7 +186,7 @@ impl Observer for Stopping {
 #[test]
 fn a_search_stops_where_its_time_is_over() {
     let until = json!({"peak_pressure": 1500});
-    let job = finding(ball(), "/upper/shape/radius", [2.0, 200.0], until);
+    let job = finding(ball(), "/upper/shape/radius", [2.0, 200.0], &until);
     let observer = &mut Stopping::default();
     let stopped = report::run(&Job::from_value(&job).unwrap(), observer);
     assert_eq!(stopped.unwrap_err(), RunError::Interrupted(Interrupt::TimedOut));
@@ -199,7 +199,7 @@ fn a_figure_that_hardly_depends_on_the_input_tells_both_ends() {
     let mut job = line();
     job["lower"]["material"]["poisson_ratio"] = json!(0.2);
     let until = json!({"half_width": solve(&job).steps[0][Name::HalfWidth]});
-    let report = solve(&finding(job, "/lower/material/poisson_ratio", [0.05, 0.45], until));
+    let report = solve(&finding(job, "/lower/material/poisson_ratio", [0.05, 0.45], &until));
     let row = &report.answers[0];
     assert_eq!(row.value, None, "{row:?}");
     let [low, high] = [row.at_least, row.at_most].map(Option::unwrap);
@@ -215,7 +215,7 @@ fn a_margin_takes_one_secant() {
     let mut job = ball();
     job["lower"]["material"]["plasticity"] =
         json!({"law": "bilinear", "yield_stress": 3000, "tangent_modulus": 10_500});
-    let report = solve(&finding(job, "/load/force", [1.0, 1000.0], json!({"margin": 2})));
+    let report = solve(&finding(job, "/load/force", [1.0, 1000.0], &json!({"margin": 2})));
     assert_eq!(report.found.unwrap().looks.value.len(), 3);
 }
 
@@ -230,7 +230,7 @@ fn the_most_even_pressure_is_that_of_lundberg() {
     job["load"] = json!({"force": 8000});
     let of_load = solve(&job).steps[0][Name::PeakPressure];
     let until = json!({"least": "peak_pressure"});
-    let report = solve(&finding(job, "/upper/shape/design_force", [2000.0, 32_000.0], until));
+    let report = solve(&finding(job, "/upper/shape/design_force", [2000.0, 32_000.0], &until));
     let peak = report.steps[0][Name::PeakPressure];
     let even = (8000.0 * MODULUS / (PI * 5.0 * 10.0)).sqrt();
     assert!(peak < of_load && even < peak && peak < 1.03 * even, "{even}, {peak}, {of_load}");
@@ -247,25 +247,28 @@ fn what_cannot_be_found_is_refused_by_its_field() {
     two["find"] = json!([{"vary": radius}, {"vary": "/load/force"}]);
     for (job, words) in [
         (two, "/find: must be "),
-        (finding(line(), "/upper/shape/type", ends, peak()), "/find/vary: \"/upper/shape/type\""),
-        (finding(line(), "/mesh/elements_per_half_width", ends, peak()), "/find/vary: "),
-        (finding(line(), radius, [50.0, 5.0], peak()), "/find/between: "),
-        (finding(line(), radius, [-1.0, 5.0], peak()), "/find/between/0: with -1"),
-        (finding(line(), radius, ends, json!({})), "/find/until: must have one figure"),
-        (finding(line(), radius, ends, json!({"peek": 1})), "/find/until/peek: unknown key"),
+        (finding(line(), "/upper/shape/type", ends, &peak()), "/find/vary: \"/upper/shape/type\""),
+        (finding(line(), "/mesh/elements_per_half_width", ends, &peak()), "/find/vary: "),
+        (finding(line(), radius, [50.0, 5.0], &peak()), "/find/between: "),
+        (finding(line(), radius, [-1.0, 5.0], &peak()), "/find/between/0: with -1"),
+        (finding(line(), radius, ends, &json!({})), "/find/until: must have one figure"),
+        (finding(line(), radius, ends, &json!({"peek": 1})), "/find/until/peek: unknown key"),
         (
-            finding(line(), radius, ends, json!({"peak_pressure": 1, "approach": 1})),
+            finding(line(), radius, ends, &json!({"peak_pressure": 1, "approach": 1})),
             "/find/until: must have only one figure",
         ),
         (
-            finding(line(), radius, ends, json!({"plastic_depth": 1})),
+            finding(line(), radius, ends, &json!({"plastic_depth": 1})),
             "/find/until/plastic_depth: cannot be wanted",
         ),
         (
-            finding(line(), radius, ends, json!({"peak_pressure": 1e5})),
+            finding(line(), radius, ends, &json!({"peak_pressure": 1e5})),
             "/find/until/peak_pressure: Peak pressure is ",
         ),
-        (finding(line(), radius, ends, json!({"hardness": 1})), "/find: with /upper/shape/radius"),
+        (
+            finding(line(), radius, ends, &json!({"hardness": 1})),
+            "/find: with /upper/shape/radius",
+        ),
     ] {
         let told = refusal(&job);
         assert!(told.starts_with(words), "{told}");

@@ -114,7 +114,7 @@ impl Job {
             }
             Some(number) => {
                 let numbers = [1.0 - one.change(), 1.0 + one.change()].map(|part| part * number);
-                let fault = |number| self.first_fault(&[one.pointer.clone()], number);
+                let fault = |number| self.first_fault(std::slice::from_ref(&one.pointer), number);
                 let fault = numbers.into_iter().find_map(fault)?;
                 Some(FieldError { pointer, ..fault })
             }

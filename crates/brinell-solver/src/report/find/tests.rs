@@ -40,7 +40,7 @@ fn flat(radius: f64) -> f64 {
 }
 
 /// Looks for a radius between 5 and 80 by a made figure.
-fn sought(until: Value, solve: Solve) -> Result<Report, RunError> {
+fn sought(until: &Value, solve: Solve) -> Result<Report, RunError> {
     let job = json!({
         "analysis": "three_dimensional",
         "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
@@ -56,7 +56,7 @@ fn sought(until: Value, solve: Solve) -> Result<Report, RunError> {
 
 #[test]
 fn a_figure_that_jumps_is_refused_with_both_sides() {
-    let told = sought(json!({"peak_pressure": 150}), |job, options, observer, on_step| {
+    let told = sought(&json!({"peak_pressure": 150}), |job, options, observer, on_step| {
         made(job, options, observer, on_step, jump)
     });
     let Err(RunError::Input(faults)) = told else { panic!("{told:?}") };
@@ -72,7 +72,7 @@ fn a_figure_that_jumps_is_refused_with_both_sides() {
 /// A figure with an optimum between the ends has its value twice.
 #[test]
 fn every_crossing_is_told() {
-    let report = sought(json!({"peak_pressure": 125}), |job, options, observer, on_step| {
+    let report = sought(&json!({"peak_pressure": 125}), |job, options, observer, on_step| {
         made(job, options, observer, on_step, bowl)
     });
     let found = report.unwrap().found.unwrap();
@@ -88,7 +88,7 @@ fn every_crossing_is_told() {
 /// which is 0 there is not known.
 #[test]
 fn an_optimum_is_as_sure_as_its_figure_is_bent() {
-    let report = sought(json!({"least": "peak_pressure"}), |job, options, observer, on_step| {
+    let report = sought(&json!({"least": "peak_pressure"}), |job, options, observer, on_step| {
         made(job, options, observer, on_step, bowl)
     });
     let report = report.unwrap();
@@ -99,7 +99,7 @@ fn an_optimum_is_as_sure_as_its_figure_is_bent() {
     let error = report.answers[0].error.bound().unwrap();
     assert!((error / exact - 1.0).abs() < 0.1, "{error} and not {exact}");
 
-    let report = sought(json!({"least": "peak_pressure"}), |job, options, observer, on_step| {
+    let report = sought(&json!({"least": "peak_pressure"}), |job, options, observer, on_step| {
         made(job, options, observer, on_step, flat)
     });
     let report = report.unwrap();
