@@ -20,9 +20,12 @@ use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
 use text::{Names, WIDTH, words, wrapped};
 
-/// Lays a report out as text. `job` is what was asked. Of a long sweep it shows a line for each
-/// load, or one `step` as a whole.
+/// Lays a report out as text. `job` is what was asked; a search shows the job that it found. Of a
+/// long sweep it shows a line for each load, or one `step` as a whole.
 pub fn table(job: &Job, report: &Report, step: Option<usize>, style: Style) -> String {
+    let found = report.found.as_ref();
+    let found = found.and_then(|found| job.varied(&found.vary, *found.values.first()?).ok());
+    let job = found.as_ref().unwrap_or(job);
     let page = Page { style, names: Names::of(job), text: String::new(), said: Vec::new() };
     page.lay_out(job, report, step)
 }

@@ -23,14 +23,13 @@ pub(super) fn tolerances(told: &TolerancesReport, rows: &[Answer], style: Style)
             value.map_or_else(|| "—".to_owned(), |value| significant(factor * value, 3))
         };
         let elasticities = told.elasticities[at].iter();
-        let elasticities: String =
-            elasticities.map(|one| format!("{:>8}", shown(*one, 1.0))).collect();
-        text.push_str(&format!(
-            "{:34}{:>12}{:>12}{elasticities}\n",
-            told.label[at],
-            shown(told.root_of_squares[at], 100.0),
-            shown(told.at_worst[at], 100.0)
-        ));
+        let elasticities: Vec<_> =
+            elasticities.map(|one| format!(" {:>7}", shown(*one, 1.0))).collect();
+        let (squares, worst) = (told.root_of_squares[at], told.at_worst[at]);
+        let [squares, worst] = [squares, worst].map(|value| shown(value, 100.0));
+        let label = &told.label[at];
+        let line = format!("{label:34}{squares:>12}{worst:>12}{}\n", elasticities.concat());
+        text.push_str(&line);
     }
     text
 }

@@ -54,8 +54,8 @@ pub struct TolerancesReport {
     /// Relative change of the figure over that of each input; `null` where the figure is not known
     /// beside it \[1\].
     pub elasticities: Vec<Vec<Option<f64>>>,
-    /// Relative change where all tolerances add up; `null` with an elasticity that is not known
-    /// \[1 >= 0\].
+    /// Relative change where all tolerances add up, each in the sense that changes it more; `null`
+    /// where the figure is not known beside it \[1 >= 0\].
     pub at_worst: Vec<Option<f64>>,
     /// Root of the sum of the squares of their changes \[1 >= 0\].
     pub root_of_squares: Vec<Option<f64>>,

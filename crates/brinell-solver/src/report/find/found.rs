@@ -317,7 +317,11 @@ impl Seeker<'_, '_> {
                 (row.bar(Bar::Relative(error)), text)
             }
             Some(error) => {
-                let [low, high] = [-error, error].map(|by| here.value * by.exp());
+                let [least, most] = self.find.between;
+                let ends = [-error, error]
+                    .map(|by| here.value * by.exp())
+                    .map(|end| end.clamp(least, most));
+                let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
                 let range = with_unit(format!("{} to {}", rounded(low), rounded(high)));
                 let better = self.better(here).unwrap_or_default();
                 let text =

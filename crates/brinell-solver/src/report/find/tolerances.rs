@@ -68,6 +68,8 @@ fn of_bodies(row: &Answer, beside: &[[Vec<Answer>; 2]]) -> Vec<Answer> {
 struct Effect<'a> {
     row: &'a Answer,
     elasticities: Vec<Option<f64>>,
+    /// The change by the tolerance of each input, the larger one of both senses.
+    changes: Vec<Option<f64>>,
     at_worst: Option<f64>,
     root_of_squares: Option<f64>,
 }
@@ -77,7 +79,7 @@ fn effect<'a>(
     tolerances: &[Tolerance],
     beside: &[[Vec<Answer>; 2]],
 ) -> Option<Effect<'a>> {
-    row.value.filter(|value| *value != 0.0)?;
+    let value = row.value.filter(|value| *value != 0.0)?;
     let is_row = |other: &&Answer| {
         let is_body = other.body == row.body || other.body == Some(AnswerBody::Both);
         (&other.name, other.at) == (&row.name, row.at) && is_body
@@ -89,24 +91,27 @@ fn effect<'a>(
             elasticity([1.0 - one.change(), 1.0 + one.change()], [at(less)?, at(more)?])
         })
         .collect();
-    let changes: Option<Vec<f64>> = tolerances
-        .iter()
-        .zip(&elasticities)
-        .map(|(one, elasticity)| Some((one.relative * (*elasticity)?).abs()))
-        .collect();
+    // Beside a kink, as where two bodies yield at once, one sense changes a figure more.
+    let change = |(one, [less, more]): (&Tolerance, &[Vec<Answer>; 2])| {
+        let of = |rows: &[Answer]| Some((at(rows)? / value - 1.0).abs());
+        Some(of(less)?.max(of(more)?) * one.relative / one.change())
+    };
+    let each: Vec<Option<f64>> = tolerances.iter().zip(beside).map(change).collect();
+    let changes: Option<Vec<f64>> = each.iter().copied().collect();
     let squares = |changes: &Vec<f64>| changes.iter().map(|one| one * one).sum::<f64>().sqrt();
     Some(Effect {
         row,
         at_worst: changes.as_ref().map(|changes| changes.iter().sum()),
         root_of_squares: changes.as_ref().map(squares),
         elasticities,
+        changes: each,
     })
 }
 
 /// Returns which input matters most to a row.
 fn most(tolerances: &[Tolerance], effect: &Effect<'_>) -> String {
-    let changes = tolerances.iter().zip(&effect.elasticities);
-    let changes = changes.map(|(one, of)| (one, (one.relative * of.unwrap_or_default()).abs()));
+    let changes = tolerances.iter().zip(&effect.changes);
+    let changes = changes.map(|(one, of)| (one, of.unwrap_or_default()));
     let Some((one, change)) = changes.max_by(|one, other| one.1.total_cmp(&other.1)) else {
         return String::new();
     };
