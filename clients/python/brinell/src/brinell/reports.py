@@ -932,7 +932,7 @@ class Tolerances(BaseModel):
     at_worst: Annotated[
         list[float | None],
         Field(
-            description='Relative change where all tolerances add up; `null` with an elasticity that is not known. Without unit.'
+            description='Relative change where all tolerances add up, each in the sense that changes it more; `null` where the figure is not known beside it. Without unit.'
         ),
     ]
     body: Annotated[
