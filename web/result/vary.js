@@ -17,6 +17,7 @@ import { Chart } from './chart.js';
 import { cellsOf, scrolled, tableElements, takeAlong } from './figures.js';
 import { looksOf, named, searchOf, tolerancesOf, tolerancesTable } from './find.js';
 import { Panel } from './panel.js';
+import { boundOf } from './rows.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('../jobs/batch.js').Trial} Trial */
@@ -356,6 +357,17 @@ export class VaryPanel {
       x: `${lowered(number.label)}  [${number.unit || '1'}]`,
       y: `${lowered(answer.label)}  [${unitOf(answer) || '1'}]`,
       curves: [
+        ...(curve.every(({ answer }) => boundOf(answer) !== null)
+          ? [
+              {
+                label: '±',
+                colour: '--curve-1',
+                x: curve.map(({ x }) => x),
+                y: curve.map(({ y, answer }) => y * (1 - (boundOf(answer) ?? 0))),
+                to: curve.map(({ y, answer }) => y * (1 + (boundOf(answer) ?? 0))),
+              },
+            ]
+          : []),
         {
           label: lowered(answer.label),
           colour: '--curve-1',
