@@ -35,7 +35,13 @@ export const looksOf = ({ looks }, asked, id) =>
   looks.value.map((at, k) => ({
     at,
     id,
-    answers: [{ ...asked, value: looks.figure[k], error: looks.error[k] ?? 'not_bounded' }],
+    answers: [
+      {
+        ...asked,
+        value: looks.figure[k],
+        error: looks.error[k] ?? /** @type {const} */ ('not_bounded'),
+      },
+    ],
   }));
 
 /** A sentence with the names of numbers in place of their pointers. @param {string} text @param {Numeric[]} numbers */
