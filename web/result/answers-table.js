@@ -73,11 +73,7 @@ export function answersTable(sides, whole) {
           'td',
           { class: 'text' },
           symbol(
-            [
-              placeWords(answer, one.report, step),
-              inWords(answer.text),
-              whyOf(answer, whole),
-            ]
+            [placeWords(answer, one.report, step), inWords(answer.text), whyOf(answer, whole)]
               .filter((text) => text && text !== errorWords(answer))
               .join('; '),
           ),

@@ -357,7 +357,9 @@ const QUESTIONS = [
       await user.enter('From', '100');
       await user.press('Find the number');
       const words = page.locator('#panel-vary .readout');
-      await words.getByText(/^With force = 109\.\d* N\/mm, Margin to first yield is 2\./).waitFor();
+      await words
+        .getByText(/^With force = 109\.\d* N\/mm, Margin to first yield is 2\./)
+        .waitFor();
       // One job, and so one row of the list.
       await page.locator('#panel-vary').getByText('Put it into the form').waitFor();
     },
@@ -368,7 +370,10 @@ const QUESTIONS = [
     async (user, page) => {
       await user.solve();
       await user.press('± tolerances');
-      await page.locator('#panel-vary .readout').getByText(/matters most/).waitFor();
+      await page
+        .locator('#panel-vary .readout')
+        .getByText(/matters most/)
+        .waitFor();
       await page.locator('#panel-vary tbody tr').nth(3).waitFor();
     },
   ],
