@@ -519,7 +519,8 @@ def test_tolerances_are_a_table(client: Client, job: Any) -> None:
     radius = "/upper/shape/radius"
     table = client.solve({**job_of(job), "tolerances": {radius: 0.05}}).tolerances
     peak = table[table["name"] == "peak_pressure"].iloc[0]
-    assert peak["at_worst"] == pytest.approx(0.05 * abs(peak[radius]))
+    # The worse one of both senses is not less than their mean.
+    assert 1.0 <= peak["at_worst"] / (0.05 * abs(peak[radius])) <= 1.1
     assert radius in table.attrs["text"]
 
 
