@@ -68,7 +68,7 @@ export function tolerancesOf(job, numbers) {
  * @returns {import('../lib/tabular.js').Table}
  */
 export function tolerancesTable(told, numbers) {
-  const { inputs, tolerances } = told;
+  const { inputs, relative } = told;
   const labels = inputs.map((input) => numbers.find(({ key }) => key === input)?.label ?? input);
   const part = (/** @type {number | null} */ one) => (one === null ? null : 100 * Math.abs(one));
   return {
@@ -78,7 +78,7 @@ export function tolerancesTable(told, numbers) {
       { title: 'root of squares', unit: '%' },
       { title: 'at worst', unit: '%' },
       ...labels.map((title, k) => ({
-        title: `${title} ± ${plain(100 * tolerances[k], 3)} %`,
+        title: `${title} ± ${plain(100 * relative[k], 3)} %`,
         unit: '%',
       })),
     ],
@@ -87,7 +87,7 @@ export function tolerancesTable(told, numbers) {
       part(told.error[row]),
       part(told.root_of_squares[row]),
       part(told.at_worst[row]),
-      ...told.elasticities[row].map((one, k) => part(one === null ? null : one * tolerances[k])),
+      ...told.elasticities[row].map((one, k) => part(one === null ? null : one * relative[k])),
     ]),
     write: (cell, k) => (k === 0 || cell === null ? String(cell ?? '—') : plain(Number(cell), 3)),
   };

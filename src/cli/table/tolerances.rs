@@ -7,7 +7,7 @@ use brinell_solver::report::{Answer, TolerancesReport};
 /// The figures that have a row which answers the job. `rows` are those of the last step.
 pub(super) fn tolerances(told: &TolerancesReport, rows: &[Answer], style: Style) -> String {
     let mut text = String::new();
-    for (number, (input, part)) in told.inputs.iter().zip(&told.tolerances).enumerate() {
+    for (number, (input, part)) in told.inputs.iter().zip(&told.relative).enumerate() {
         let part = significant(100.0 * part, 3);
         text.push_str(&style.dim(&format!("({}) {input} ± {part} %\n", number + 1)));
     }

@@ -38,6 +38,6 @@ def tolerances_of(report: Mapping[str, Any]) -> pd.DataFrame:
     frame: pd.DataFrame = need("pandas", "pandas").DataFrame({key: told[key] for key in kept})
     for k, pointer in enumerate(told["inputs"]):
         frame[pointer] = [row[k] for row in told["elasticities"]]
-    frame.attrs["tolerances"] = dict(zip(told["inputs"], told["tolerances"], strict=True))
+    frame.attrs["tolerances"] = dict(zip(told["inputs"], told["relative"], strict=True))
     frame.attrs["text"] = told["text"]
     return frame

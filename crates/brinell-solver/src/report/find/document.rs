@@ -42,7 +42,7 @@ pub struct TolerancesReport {
     /// JSON pointers of the inputs.
     pub inputs: Vec<String>,
     /// Their relative tolerances, to either side \[1 >= 0\].
-    pub tolerances: Vec<f64>,
+    pub relative: Vec<f64>,
     /// Names of the rows.
     pub name: Vec<String>,
     /// Their names for a person.

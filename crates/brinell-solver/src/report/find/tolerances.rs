@@ -31,7 +31,7 @@ pub fn tolerances(
         .collect::<Result<_, RunError>>()?;
     let mut told = TolerancesReport {
         inputs: tolerances.iter().map(|one| one.pointer.clone()).collect(),
-        tolerances: tolerances.iter().map(|one| one.relative).collect(),
+        relative: tolerances.iter().map(|one| one.relative).collect(),
         ..TolerancesReport::default()
     };
     let of_bodies: Vec<Answer> = of_job.iter().flat_map(|row| of_bodies(row, &beside)).collect();
