@@ -415,9 +415,9 @@
  * @property {(string)[]} inputs
  * @property {(string)[]} label
  * @property {(string)[]} name
+ * @property {(number)[]} relative
  * @property {(number | null)[]} root_of_squares
  * @property {string} text
- * @property {(number)[]} tolerances
  *
  * @typedef {'elastic' | 'shakes_down' | 'closed_cycle' | 'undecided' | 'ratchets'} TrackVerdict
  *

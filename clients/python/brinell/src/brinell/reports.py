@@ -954,6 +954,10 @@ class Tolerances(BaseModel):
     inputs: Annotated[list[str], Field(description='JSON pointers of the inputs.')]
     label: Annotated[list[str], Field(description='Their names for a person.')]
     name: Annotated[list[str], Field(description='Names of the rows.')]
+    relative: Annotated[
+        list[float],
+        Field(description='Their relative tolerances, to either side. Without unit.'),
+    ]
     root_of_squares: Annotated[
         list[float | None],
         Field(
@@ -962,10 +966,6 @@ class Tolerances(BaseModel):
     ]
     text: Annotated[
         str, Field(description='Which input matters most, in one sentence.')
-    ]
-    tolerances: Annotated[
-        list[float],
-        Field(description='Their relative tolerances, to either side. Without unit.'),
     ]
 
 
