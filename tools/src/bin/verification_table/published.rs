@@ -104,10 +104,10 @@ fn number(report: &Report) -> Option<Found> {
     Some(Found { error: number.error.map(|error| error + bias), ..number })
 }
 
-/// Hertz's peak pressure under the force of the first step \[MPa\], with a third of its error.
+/// Hertz's peak pressure under the force that was sought \[MPa\], with a third of its error.
 fn nominal_pressure(report: &Report) -> Option<Found> {
     let step = report.steps.first()?;
-    let force = answer(step, "force")?;
+    let force = row(&report.answers, "force_found")?;
     let error = force.error.map(|error| error / 3.0);
     let peak = step.answers.iter().find(|row| row.name == "peak_pressure")?;
     Some(Found { value: peak.elastic?, error })
