@@ -252,6 +252,7 @@ fn steps_of_heights_are_corners() {
 /// Nine balls on a body that yields: on cells too large for a spot nothing has a bar, and on small
 /// ones the bar of the approach covers what is missing.
 #[test]
+#[ignore = "full"]
 fn spots_of_few_cells_have_no_bars() {
     let plasticity = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0});
     let solved = |cells: u32| {

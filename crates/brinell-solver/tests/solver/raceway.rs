@@ -287,6 +287,7 @@ fn limits_over_friction_begin_with_that_of_free_rolling() {
 /// A curve without an elastic limit yields wherever there is stress: the track grows until its
 /// window would be longer than its ring, and says so.
 #[test]
+#[ignore = "full"]
 fn a_track_that_outgrows_its_ring_has_a_reason() {
     let mut asked = ball(0.0, &json!({"force": 13.2, "friction": 0.3, "passes": 2}));
     asked["lower"]["material"]["plasticity"] = json!({
