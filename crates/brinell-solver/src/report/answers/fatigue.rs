@@ -177,7 +177,7 @@ pub(in crate::report) fn endures(rows: &[Answer], may_flow: bool) -> Option<Endu
     };
     // A body of which nothing is known has a row without a criterion.
     let is_unknown = |row: &Answer| row.at.is_none_or(|at| at.criterion.is_none());
-    let bodies = if used().any(is_unknown) { ", as far as it is known" } else { "" };
+    let other = if used().any(is_unknown) { "; of the other it is not known" } else { "" };
     let condition = if may_flow { ", if its passes shake down" } else { "" };
     let [low, high] = [least, worst].map(in_percent);
     let span = if low == high { high } else { format!("{low} to {high}") };
@@ -190,7 +190,7 @@ pub(in crate::report) fn endures(rows: &[Answer], may_flow: bool) -> Option<Endu
     Some(Endurance {
         is_endured: endured == deciding.len(),
         sentence: format!(
-            "{by} of fatigue{bodies}{condition} (utilization {span} %{body}{close})."
+            "{by} of fatigue{condition} (utilization {span} %{body}{other}{close})."
         ),
         worst,
     })
