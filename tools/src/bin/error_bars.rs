@@ -423,7 +423,8 @@ fn quantile(mut values: Vec<f64>, part: f64) -> f64 {
 /// What holds of some samples: bars, part that holds, median bar, median error, and median and 95th
 /// percentile of the bar over the error, and how many have no bar.
 fn cells(samples: &[&Sample]) -> String {
-    let bars: Vec<_> = samples.iter().filter_map(|sample| Some((sample.bar?, sample.error))).collect();
+    let bars: Vec<_> =
+        samples.iter().filter_map(|sample| Some((sample.bar?, sample.error))).collect();
     let held = bars.iter().filter(|(bar, error)| bar >= error).count();
     let of = |part: f64, value: fn(&(f64, f64)) -> f64| {
         quantile(bars.iter().map(value).collect(), part)
@@ -443,9 +444,10 @@ fn cells(samples: &[&Sample]) -> String {
 
 /// The table of all figures by analysis.
 fn table(samples: &[&Sample]) -> String {
-    let mut text = "| figure | analysis | bars | hold | median bar | median error | bar over error \
+    let mut text =
+        "| figure | analysis | bars | hold | median bar | median error | bar over error \
                     | 95th percentile | without a bar |\n|---|---|---|---|---|---|---|---|---|\n"
-        .to_owned();
+            .to_owned();
     let mut groups: BTreeMap<[&str; 2], Vec<&Sample>> = BTreeMap::new();
     for sample in samples {
         groups.entry([&sample.figure, &sample.analysis]).or_default().push(sample);

@@ -41,9 +41,7 @@ impl MeshSettings {
     /// Returns the default mesh settings of an analysis.
     pub fn of(analysis: Analysis) -> Self {
         match analysis {
-            Analysis::ThreeDimensional => {
-                Self { elements_per_half_width: 10, ..Self::default() }
-            }
+            Analysis::ThreeDimensional => Self { elements_per_half_width: 10, ..Self::default() },
             Analysis::PlaneStrain | Analysis::PlaneStress | Analysis::Axisymmetric => {
                 Self::default()
             }

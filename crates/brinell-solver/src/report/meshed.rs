@@ -258,8 +258,7 @@ fn without_fatigue(step: &StepSolution) -> Option<&'static str> {
 /// Returns the plastic zone of a body, but for the depth at which it begins.
 fn zone(solution: &BodySolution, symmetric: bool) -> Zone {
     let most = solution.most_strained().filter(|point| point.equivalent_plastic_strain > 0.0);
-    let [place, depth] =
-        solution.mesh.frame.place(most.map_or([0.0; 2], |point| point.position));
+    let [place, depth] = solution.mesh.frame.place(most.map_or([0.0; 2], |point| point.position));
     Zone {
         yielded: solution.has_yielded(),
         largest: solution.bounded_plastic_strain(),

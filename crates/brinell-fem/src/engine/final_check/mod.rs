@@ -56,8 +56,8 @@ pub(crate) fn finish(
         None
     });
     run.time_observed(Phase::Output, |observer| {
-        let (evidence, bodies) =
-            from_fields(pass, least.residual, last_peak, observer).unwrap_or_else(|interrupt| {
+        let (evidence, bodies) = from_fields(pass, least.residual, last_peak, observer)
+            .unwrap_or_else(|interrupt| {
                 pass.outcome.status = interrupt.into();
                 from_iteration(pass)
             });

@@ -2,8 +2,8 @@
 //! `docs/validity.md` and its sentence.
 
 use super::kinds::{
-    BELOW, CasePlace, Deformation, FinerBy, Missed, OnsetUnknown, PEAK_AND_BELOW, Row, Section, Takes,
-    Unconverged, Wide, Work,
+    BELOW, CasePlace, Deformation, FinerBy, Missed, OnsetUnknown, PEAK_AND_BELOW, Row, Section,
+    Takes, Unconverged, Wide, Work,
 };
 use super::sentences::{
     MORE_ELEMENTS, coarse_case, collapse, few, onset_unknown, rounded_tip, stopped,
