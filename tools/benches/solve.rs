@@ -22,7 +22,7 @@ criterion_main!(benches);
 
 fn job(elements: u32, force: f64) -> Job {
     let mut job = Job::from_json(JOB.as_bytes()).unwrap();
-    job.mesh = MeshSettings { elements_per_half_width: elements };
+    job.mesh = MeshSettings::default().with_elements(elements);
     job.load = Load::Forces(PositiveF64::new(force).unwrap().into());
     job
 }

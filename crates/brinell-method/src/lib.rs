@@ -4,13 +4,13 @@
 //! holds the outer loop, [`couplings`] the alternation under one load. Nothing here knows a mesh,
 //! an element or a job.
 
+pub mod bounds;
 pub mod bracket;
 pub mod contact_system;
 pub mod couplings;
 mod error;
 pub mod figures;
 pub mod final_check;
-pub mod floors;
 pub mod force_search;
 #[cfg(test)]
 mod half_planes;

@@ -91,7 +91,7 @@ The paper's own comparison of couplings (210, 485.6 and 663.7 s) is in [paper_ta
 
 fn job(elements: u32, force: f64) -> Job {
     let mut job = Job::from_json(JOB.as_bytes()).unwrap();
-    job.mesh = MeshSettings { elements_per_half_width: elements };
+    job.mesh = MeshSettings::default().with_elements(elements);
     job.load = Load::Forces(PositiveF64::new(force).unwrap().into());
     job.solver.theory = Theory::Deformation;
     job

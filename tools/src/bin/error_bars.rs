@@ -1,16 +1,13 @@
-//! Fits the floors of the error bars to random jobs, and counts how often the bars hold.
+//! Counts how often the error bars of random jobs hold.
 //!
-//! `cargo run --release -p brinell-tools --bin error_bars -- fit` solves two sets of random jobs,
-//! each job beside itself on a finer mesh. It takes the smallest floors that cover the errors of
-//! the first set, writes them to `brinell-method/src/floors.rs` and `docs/validity.md`, judges them by the
-//! second set and writes `docs/notes/error_bars_counted.md`. A part of a set that has been solved
-//! is kept under `target/error_bars`, in a folder of the program that solved it: a run that is
-//! stopped goes on where it was.
-//!
-//! `error_bars -- job Judge Flow 0 2` prints the job of that part and number; bars that do not hold
-//! are listed with theirs. `error_bars -- count 2` counts the bars of the first two parts of the
-//! second set, and fails where fewer than 93 of 100 hold. Jobs are given up after a minute of the
-//! processor on each mesh.
+//! `cargo run --release -p brinell-tools --bin error_bars -- count` solves a set of random jobs, each
+//! beside itself on a finer mesh, and prints how many bars hold by figure and analysis, ordinary jobs
+//! apart from odd ones; bars that do not hold are listed with their job. `count 2` takes the first two
+//! parts of each kind; it fails where fewer than 93 of 100 hold. `count 2 Fit` counts the set on which
+//! the [bounds](brinell_method::bounds) were chosen. A part that has been solved is kept under
+//! `target/error_bars`, in a folder of the program that solved it: a run that is stopped goes on where
+//! it was. `error_bars -- job Judge Flow 0 2` prints the job of that part and number. Jobs are given up
+//! after a minute of the processor on each mesh.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
@@ -23,16 +20,15 @@ use std::fmt::Write as _;
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use brinell_solver::inputs;
-use brinell_solver::job::Job;
-use brinell_solver::report::{estimate_error, name_of, scales_of_floors, unknown_figures};
-use brinell_solver::solver::floors::floors;
+use brinell_solver::job::{Job, Load};
+use brinell_solver::report::{estimate_error, name_of, unknown_figures};
 use brinell_solver::solver::{
     Figure, FigureSet, Interrupt, Observer, SolveStatus, Values, half_spaces,
 };
@@ -43,8 +39,8 @@ use serde_json::{Value, json};
 
 /// Jobs of a part, and parts of a set by kind.
 const JOBS: usize = 10;
-const PARTS: [(Kind, usize); 3] =
-    [(Kind::Deformation, 16), (Kind::Flow, 16), (Kind::HalfSpaces, 14)];
+const PARTS: [(Kind, usize); 4] =
+    [(Kind::Ordinary, 16), (Kind::Deformation, 16), (Kind::Flow, 16), (Kind::HalfSpaces, 14)];
 /// Elements over the half-width of the jobs in two dimensions; those of the reference are so many
 /// times as many.
 const MESHES: [u32; 4] = [6, 8, 10, 12];
@@ -60,29 +56,21 @@ const PATIENCE: Duration = Duration::from_mins(1);
 /// Radius of a hole, beyond which it is free, over that of its pin.
 const HOLE: f64 = 4.0;
 
-/// Parts of the errors of the first set that a floor covers: of all of a figure in an analysis, so
-/// that 95 of 100 are covered beyond the set, and of each theory alone.
-const COVERED: f64 = 0.97;
-const COVERED_OF_THEORY: f64 = 0.95;
-/// Smallest floor: closed forms and other programs tell what no finer mesh does.
-const SMALLEST: f64 = 1e-3;
-/// Least errors from which a floor follows.
-const LEAST: usize = 40;
 /// Part of the bars of a count that has to hold: thirty jobs tell 95 % to within 2 %.
 const HOLDS: f64 = 0.93;
-
-const CLASSES: [&str; 4] = ["plane strain", "plane stress", "revolution", "three dimensions"];
 
 type Fault = Box<dyn Error + Send + Sync>;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Kind {
+    /// One smooth summit on 10 or 20 elements, by either theory.
+    Ordinary,
     Deformation,
     Flow,
     HalfSpaces,
 }
 
-/// One of the sets: floors are fitted to the first and judged by the second.
+/// One of the sets: bounds are chosen by the first and judged by the second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Set {
     Fit,
@@ -101,34 +89,25 @@ struct Part {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Sample {
     figure: String,
-    /// Place of the floor among those of the figure.
-    class: usize,
     analysis: String,
     theory: String,
     load: String,
-    /// The relative bar without its floor, and what the floor is multiplied by.
-    bar: Option<[f64; 2]>,
+    /// The relative bar.
+    bar: Option<f64>,
     error: f64,
     /// Which job of which part.
     place: String,
 }
 
 impl Sample {
-    /// The bar under a floor.
-    fn bar(&self, floor: f64) -> Option<f64> {
-        self.bar.map(|[base, scale]| base + floor * scale)
+    fn is_ordinary(&self) -> bool {
+        self.place.contains("Ordinary")
     }
 
-    /// The smallest floor under which the bar holds.
-    fn needed(&self) -> Option<f64> {
-        let [base, scale] = self.bar?;
-        let needed = (self.error - base) / scale;
-        Some(if self.error <= base { 0.0 } else { needed }).filter(|needed| needed.is_finite())
+    fn holds(&self) -> bool {
+        self.bar.is_none_or(|bar| bar >= self.error)
     }
 }
-
-/// Floors by figure, in the order of `CLASSES`.
-type Floors = BTreeMap<String, [Option<f64>; 4]>;
 
 /// Ends a job that takes too long. The time is of the processor: a busy machine gives up no more
 /// jobs than an idle one.
@@ -154,12 +133,10 @@ impl Observer for Patience {
     }
 }
 
-/// A step that is solved: its figures, their relative bars, what their floors are multiplied by,
-/// and whether a body yields.
+/// A step that is solved: its figures, their relative bars, and whether a body yields.
 struct Solved {
     figures: Values,
     bars: Vec<Option<f64>>,
-    scales: Option<Values>,
     yields: bool,
 }
 
@@ -174,6 +151,10 @@ fn places() -> impl Iterator<Item = (Figure, usize)> {
 fn solve(job: &Value) -> Option<Vec<Solved>> {
     let job = Job::from_json(job.to_string().as_bytes()).ok()?;
     if let Some(problem) = inputs::half_spaces(&job) {
+        let sought = match &job.load {
+            Load::Target(target) => Some(target.figure),
+            _ => None,
+        };
         let mut steps = Vec::new();
         let run = half_spaces::run_each(&problem, &mut Patience::new(), &mut steps).ok()?;
         let is_solved = run.interrupted.is_none()
@@ -191,7 +172,7 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
                 !void.has(figure, side)
                     && (figure != Figure::LeastStress || step.figures.force <= 0.0)
             };
-            let errors = half_spaces::errors(step, None);
+            let errors = half_spaces::errors(step, sought);
             let bar = |(figure, side)| {
                 let errors = errors.as_ref().filter(|_| is_known(figure, side))?;
                 Some((errors.get(figure, side)? / step.figures.values().get(figure, side)?).abs())
@@ -199,7 +180,6 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
             Solved {
                 figures: step.figures.values(),
                 bars: places().map(bar).collect(),
-                scales: Some(half_spaces::scales_of_floors(step)),
                 yields: step.figures.values().largest(Figure::MaxPlasticStrain) > Some(0.0),
             }
         });
@@ -220,7 +200,6 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
         Solved {
             figures: step.figures.values(),
             bars,
-            scales: scales_of_floors(&step),
             yields: step.field.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0),
         }
     });
@@ -229,6 +208,9 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
 
 /// The next job of ordinary shapes of a kind.
 fn next(random: &mut Random, kind: Kind, number: usize) -> Value {
+    if kind == Kind::Ordinary {
+        return random_job::ordinary(random, [10, 20][number % 2]);
+    }
     if kind == Kind::HalfSpaces {
         let mut job = random_job::half_spaces(random);
         let cells = CELLS[number % CELLS.len()];
@@ -310,6 +292,7 @@ fn samples(part: Part) -> Vec<Sample> {
     let mut all = Vec::new();
     for (number, mut job) in jobs(part).into_iter().enumerate() {
         if number % 3 == 0
+            && part.kind != Kind::Ordinary
             && let Some(found) = solve(&job)
         {
             sought(&mut job, &found, number);
@@ -333,12 +316,6 @@ fn samples(part: Part) -> Vec<Sample> {
 /// The figures of a step beside those on a finer mesh.
 fn compare(job: &Value, found: &Solved, exact: &Solved, place: &str) -> Vec<Sample> {
     let analysis = job["analysis"].as_str().unwrap_or_default();
-    let class = match analysis {
-        "plane_stress" => 1,
-        "axisymmetric" => 2,
-        "three_dimensional" => 3,
-        _ => 0,
-    };
     let theory = match job["solver"]["theory"].as_str() {
         _ if !found.yields => "nothing yields",
         Some("flow") => "flow",
@@ -349,7 +326,7 @@ fn compare(job: &Value, found: &Solved, exact: &Solved, place: &str) -> Vec<Samp
         .all(|figure| found.figures.get(*figure, 0) == found.figures.get(*figure, 1));
     let mut compared = Vec::new();
     for (k, (figure, side)) in places().enumerate() {
-        let (Some(name), Some(floor)) = (name_of(figure), floors(figure)[class]) else { continue };
+        let Some(name) = name_of(figure) else { continue };
         let [value, truth] = [found, exact].map(|step| step.figures.get(figure, side));
         let (Some(value), Some(truth)) = (value, truth) else { continue };
         // Bodies alike are counted once. Nothing is said of what is prescribed, or zero.
@@ -364,18 +341,12 @@ fn compare(job: &Value, found: &Solved, exact: &Solved, place: &str) -> Vec<Samp
         {
             continue;
         }
-        let scale = found.scales.and_then(|scales| scales.get(figure, side));
-        let bar = found.bars[k].zip(scale).map(|(bar, scale)| {
-            let scale = scale / value.abs();
-            [bar - floor * scale, scale]
-        });
         compared.push(Sample {
             figure: name.to_owned(),
-            class,
             analysis: analysis.to_owned(),
             theory: theory.to_owned(),
             load: load_of(job).to_owned(),
-            bar,
+            bar: found.bars[k],
             error: (truth / value - 1.0).abs().max(1e-12),
             place: place.to_owned(),
         });
@@ -438,12 +409,6 @@ fn parts(set: Set, most: usize) -> Vec<Part> {
     PARTS.into_iter().flat_map(of_kind).collect()
 }
 
-/// The floors of this program.
-fn present() -> Floors {
-    let named = Figure::ALL.iter().filter_map(|figure| Some((name_of(*figure)?, *figure)));
-    named.map(|(name, figure)| (name.to_owned(), floors(figure))).collect()
-}
-
 fn quantile(mut values: Vec<f64>, part: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     let count = values.len() as f64;
@@ -455,203 +420,73 @@ fn quantile(mut values: Vec<f64>, part: f64) -> f64 {
         .map_or(0.0, |(_, value)| value)
 }
 
-/// Rounds up to two digits.
-fn rounded_up(value: f64) -> f64 {
-    if value <= 0.0 {
-        return 0.0;
-    }
-    let unit = 10f64.powf(value.log10().floor() - 1.0);
-    format!("{:.1e}", (value / unit - 1e-9).ceil() * unit).parse().unwrap_or(value)
+/// What holds of some samples: bars, part that holds, median bar, median error, and median and 95th
+/// percentile of the bar over the error, and how many have no bar.
+fn cells(samples: &[&Sample]) -> String {
+    let bars: Vec<_> =
+        samples.iter().filter_map(|sample| Some((sample.bar?, sample.error))).collect();
+    let held = bars.iter().filter(|(bar, error)| bar >= error).count();
+    let of = |part: f64, value: fn(&(f64, f64)) -> f64| {
+        quantile(bars.iter().map(value).collect(), part)
+    };
+    let ratio = |(bar, error): &(f64, f64)| bar / error;
+    format!(
+        "{} | {:.0} % | {:.2} % | {:.2} % | {:.1} | {:.0} | {}",
+        bars.len(),
+        100.0 * held as f64 / bars.len().max(1) as f64,
+        100.0 * of(0.5, |(bar, _)| *bar),
+        100.0 * of(0.5, |(_, error)| *error),
+        of(0.5, ratio),
+        of(0.95, ratio),
+        samples.len() - bars.len()
+    )
 }
 
-/// The smallest floors that cover the samples of a figure in an analysis: all of them, and those
-/// of each theory. A floor without samples stays.
-fn fitted(samples: &[Sample], before: &Floors) -> Floors {
-    let mut floors = before.clone();
-    for (name, row) in &mut floors {
-        for (class, floor) in row.iter_mut().enumerate() {
-            let (mut all, mut theories) = (Vec::new(), BTreeMap::<&str, Vec<f64>>::new());
-            for sample in samples.iter().filter(|s| s.figure == *name && s.class == class) {
-                let Some(needed) = sample.needed() else { continue };
-                all.push(needed);
-                theories.entry(&sample.theory).or_default().push(needed);
-            }
-            let of_theories = theories.into_values().map(|needed| (needed, COVERED_OF_THEORY));
-            let quantiles = of_theories
-                .chain([(all, COVERED)])
-                .filter(|(needed, _)| needed.len() >= LEAST)
-                .map(|(needed, part)| quantile(needed, part));
-            if let Some(largest) = quantiles.max_by(f64::total_cmp).filter(|_| floor.is_some()) {
-                *floor = Some(rounded_up(largest.max(SMALLEST)));
-            }
-        }
-    }
-    floors
-}
-
-/// What is counted of the bars of some samples.
-struct Counted {
-    bars: Vec<[f64; 2]>,
-    without: usize,
-}
-
-impl Counted {
-    fn of<'a>(samples: impl Iterator<Item = &'a Sample>, floors: &Floors) -> Self {
-        let mut counted = Self { bars: Vec::new(), without: 0 };
-        for sample in samples {
-            let floor = floors.get(&sample.figure).and_then(|row| row[sample.class]);
-            match floor.and_then(|floor| sample.bar(floor)) {
-                Some(bar) => counted.bars.push([bar, sample.error]),
-                None => counted.without += 1,
-            }
-        }
-        counted
-    }
-
-    fn held(&self) -> usize {
-        self.bars.iter().filter(|[bar, error]| bar >= error).count()
-    }
-
-    fn median(&self, of: fn(&[f64; 2]) -> f64) -> f64 {
-        quantile(self.bars.iter().map(of).collect(), 0.5)
-    }
-
-    /// Part that holds, median bar, median bar over error.
-    fn cells(&self) -> String {
-        format!(
-            "{:.0} % | {:.2} % | {:.1}",
-            100.0 * self.held() as f64 / self.bars.len().max(1) as f64,
-            100.0 * self.median(|[bar, _]| *bar),
-            self.median(|[bar, error]| bar / error)
-        )
-    }
-}
-
-/// The table of all figures by analysis and theory, under the floors before and after.
-fn table(samples: &[Sample], before: &Floors, after: &Floors) -> String {
+/// The table of all figures by analysis.
+fn table(samples: &[&Sample]) -> String {
     let mut text =
-        "| figure | analysis | theory | bars | hold | median bar | over the error | hold \
-                    | median bar | over the error | without a bar |\n\
-                    |---|---|---|---|---|---|---|---|---|---|---|\n"
+        "| figure | analysis | bars | hold | median bar | median error | bar over error \
+                    | 95th percentile | without a bar |\n|---|---|---|---|---|---|---|---|---|\n"
             .to_owned();
-    let mut groups: BTreeMap<[&str; 3], Vec<&Sample>> = BTreeMap::new();
+    let mut groups: BTreeMap<[&str; 2], Vec<&Sample>> = BTreeMap::new();
     for sample in samples {
-        let key = [&sample.figure, &sample.analysis, &sample.theory].map(String::as_str);
-        groups.entry(key).or_default().push(sample);
+        groups.entry([&sample.figure, &sample.analysis]).or_default().push(sample);
     }
-    let mut row = |names: [&str; 3], samples: &[&Sample]| {
-        let [old, new] =
-            [before, after].map(|floors| Counted::of(samples.iter().copied(), floors));
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} |",
-            names.map(|name| name.replace('_', " ")).join(" | "),
-            format_args!("{} | {}", new.bars.len(), old.cells()),
-            new.cells(),
-            new.without
-        );
+    let mut row = |names: [&str; 2], samples: &[&Sample]| {
+        let names = names.map(|name| name.replace('_', " ")).join(" | ");
+        let _ = writeln!(text, "| {names} | {} |", cells(samples));
     };
     for (names, samples) in &groups {
         row(*names, samples);
     }
     for load in ["given", "sought", "history"] {
-        let of_load: Vec<&Sample> = samples.iter().filter(|sample| sample.load == load).collect();
-        row(["all", load, "all"], &of_load);
+        let of_load: Vec<_> = samples.iter().copied().filter(|one| one.load == load).collect();
+        row(["all", load], &of_load);
     }
-    row(["all", "all", "all"], &samples.iter().collect::<Vec<_>>());
+    row(["all", "all"], samples);
     text
 }
 
-/// Replaces what stands in a file between two texts.
-fn replace(path: &Path, from: &str, to: &str, inner: &str) -> Result<(), Fault> {
-    let text = fs::read_to_string(path)?;
-    let missing = || format!("{} lacks {from:?} or {to:?}", path.display());
-    let begin = text.find(from).ok_or_else(missing)? + from.len();
-    let end = begin + text[begin..].find(to).ok_or_else(missing)?;
-    Ok(fs::write(path, format!("{}{inner}{}", &text[..begin], &text[end..]))?)
-}
-
-/// Writes floors to the solver and to the table of the document; to neither where a row is missing.
-fn write_floors(floors: &Floors) -> Result<(), Fault> {
-    let mut code = String::from("\n");
-    let document = Path::new("docs/validity.md");
-    let mut text = fs::read_to_string(document)?;
-    for figure in Figure::ALL {
-        let row = name_of(*figure).and_then(|name| floors.get(name)).copied().unwrap_or_default();
-        let cells = row.map(|floor| match floor {
-            Some(floor) => format!("Some({floor:?})"),
-            None => "None".to_owned(),
-        });
-        let _ = writeln!(code, "        Figure::{figure:?} => [{}],", cells.join(", "));
-        let Some(name) = name_of(*figure) else { continue };
-        let cells = row.map(|floor| floor.map_or_else(String::new, |floor| floor.to_string()));
-        let begin = format!("\n| {name} | ");
-        let rows: Vec<&str> = text.split(&begin).collect();
-        let [before, after] = rows[..] else {
-            return Err(format!("{} rows of {name}", rows.len() - 1).into());
-        };
-        let rest = after.splitn(5, " | ").nth(4).ok_or("a row without cells")?;
-        text = format!("{before}{begin}{} | {rest}", cells.join(" | "));
-    }
-    let source = Path::new("crates/brinell-method/src/floors.rs");
-    replace(source, "match figure {", "    }\n}", &code)?;
-    Ok(fs::write(document, text)?)
-}
-
-fn fit() -> Result<ExitCode, Fault> {
-    let started = Instant::now();
-    let all: Vec<Part> =
-        [Set::Fit, Set::Judge].into_iter().flat_map(|set| parts(set, usize::MAX)).collect();
-    let split = parts(Set::Fit, usize::MAX).len();
-    solved(&all)?;
-    let [first, second] = [&all[..split], &all[split..]].map(solved);
-    let (before, after) = (present(), fitted(&first?, &present()));
-    write_floors(&after)?;
-    let second = second?;
-    let counted = table(&second, &before, &after);
-    let mut changed = String::new();
-    for (name, row) in &after {
-        for (class, (old, new)) in before[name].iter().zip(row).enumerate() {
-            if let (Some(old), Some(new)) = (old, new) {
-                let _ = writeln!(changed, "| {name} | {} | {old} | {new} |", CLASSES[class]);
-            }
-        }
-    }
-    let note = format!(
-        "# Error bars, counted\n\n`cargo run --release -p brinell-tools --bin error_bars -- fit` \
-         writes this file. [What it does](error_bars.md).\n\n{} errors of a set of random jobs that \
-         no floor was fitted to, by figure, analysis and theory. The first three columns of figures \
-         are under the floors before, the next three under those after.\n\n{counted}\n## \
-         Floors\n\n| figure | | before | after |\n|---|---|---|---|\n{changed}",
-        second.len(),
-    );
-    fs::write("docs/notes/error_bars_counted.md", &note)?;
-    println!("{note}\n{:.0} s", started.elapsed().as_secs_f64());
-    Ok(ExitCode::SUCCESS)
-}
-
-fn count(most: usize) -> Result<ExitCode, Fault> {
-    let samples = solved(&parts(Set::Judge, most))?;
-    println!("{}", table(&samples, &present(), &present()));
-    let counted = Counted::of(samples.iter(), &present());
-    let holds = counted.held() as f64 >= HOLDS * counted.bars.len() as f64;
-    for sample in samples.iter().filter(|sample| {
-        let floor = present()[&sample.figure][sample.class].unwrap_or_default();
-        sample.bar(floor).is_some_and(|bar| bar < sample.error)
-    }) {
-        let Sample { figure, theory, error, place, .. } = sample;
+fn count(most: usize, set: Set) -> Result<ExitCode, Fault> {
+    let samples = solved(&parts(set, most))?;
+    let (ordinary, odd): (Vec<_>, Vec<_>) = samples.iter().partition(|one| one.is_ordinary());
+    println!("Ordinary jobs\n\n{}\nOdd jobs\n\n{}", table(&ordinary), table(&odd));
+    for Sample { figure, theory, error, place, .. } in samples.iter().filter(|one| !one.holds()) {
         println!("{place}: {figure}, {theory}, off by {:.1} %", 100.0 * error);
     }
-    println!("{} of {} bars hold", counted.held(), counted.bars.len());
-    Ok(if holds && !counted.bars.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let bars = samples.iter().filter(|one| one.bar.is_some());
+    let held = bars.clone().filter(|one| one.holds()).count();
+    println!("{held} of {} bars hold", bars.clone().count());
+    let holds = held > 0 && held as f64 >= HOLDS * bars.count() as f64;
+    Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 fn main() -> Result<ExitCode, Fault> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["fit"] => fit(),
-        ["count"] => count(usize::MAX),
-        ["count", most] => count(most.parse()?),
+        ["count"] => count(usize::MAX, Set::Judge),
+        ["count", most] => count(most.parse()?, Set::Judge),
+        ["count", most, "Fit"] => count(most.parse()?, Set::Fit),
         ["job", set, kind, part, number] => {
             let is_part = |found: &Part| {
                 [format!("{:?}", found.set), format!("{:?}", found.kind)] == [set, kind]
@@ -662,6 +497,6 @@ fn main() -> Result<ExitCode, Fault> {
             println!("{}", jobs(part).get(number.parse::<usize>()?).ok_or("no such job")?);
             Ok(ExitCode::SUCCESS)
         }
-        _ => Err("usage: error_bars fit | count [parts] | job set kind part number".into()),
+        _ => Err("usage: error_bars count [parts [Fit]] | job set kind part number".into()),
     }
 }

@@ -3,18 +3,9 @@
 
 use super::solution::StepSolution;
 use crate::element::StressState;
+use brinell_method::bounds::{BY_ELEMENTS, Bound, FIRST_ORDER, IN_BANDS, SECOND_ORDER};
 use brinell_method::figures::{Figure, Values};
-use brinell_method::floors::floors;
 use brinell_method::sought::TargetFigure;
-
-/// Returns the place of an analysis among the floors of a figure.
-const fn class_of(state: StressState) -> usize {
-    match state {
-        StressState::PlaneStrain => 0,
-        StressState::PlaneStress => 1,
-        StressState::Axisymmetric => 2,
-    }
-}
 
 /// Figures from which the error bars of a load step are computed.
 pub struct Bars {
@@ -27,8 +18,10 @@ pub struct Bars {
     increments: Values,
     /// Least relative errors.
     shown: Values,
-    /// Factors of the floors.
-    pub scales: Values,
+    /// What the least parts of the bounds are multiplied by.
+    scales: Values,
+    /// Whether the load is the largest so far.
+    is_loading: bool,
 }
 
 impl Bars {
@@ -45,8 +38,6 @@ impl Bars {
         let found = step.figures.values();
         let largest_approach = step.figures.approach.abs().max(step.path.reached[0]);
         let of_stiffness = step.field.unloading_stiffness * largest_approach;
-        let is_loading = step.figures.approach >= step.path.reached[0];
-        let most = if is_loading { most_of_force(step) } else { f64::INFINITY };
         let of_bodies = step.field.bodies.each_ref().map(|body| {
             let Some(body) = body else { return [0.0; 2] };
             let points = body.stress.points.iter().flatten();
@@ -60,13 +51,13 @@ impl Bars {
             let [von_mises, elastic_strain] = of_bodies[side];
             let scale = match figure {
                 Figure::Approach | Figure::Dent => largest_approach,
-                Figure::Force => value.max(of_stiffness.min(most)),
+                Figure::Force => value.max(of_stiffness),
                 Figure::MaxPlasticStrain | Figure::MeanPlasticStrain => value + elastic_strain,
                 Figure::PileUp => value + found.get(Figure::Dent, side).unwrap_or_default(),
                 Figure::LeastStress | Figure::LargestVonMises => von_mises,
                 _ => value,
             };
-            size * scale.abs()
+            scale.abs()
         });
         Some(Self {
             stress_state: step.field.stress_state,
@@ -76,6 +67,7 @@ impl Bars {
             increments: step.increment_error.unwrap_or_default(),
             shown: step.path.shown,
             scales,
+            is_loading: step.figures.approach >= step.path.reached[0],
         })
     }
 
@@ -87,11 +79,44 @@ impl Bars {
         if found == 0.0 {
             return (coarse == 0.0).then_some(0.0);
         }
-        let floor = floors(figure)[class_of(self.stress_state)]? * at(&self.scales)?;
-        let of_mesh = ((found - coarse).abs() + floor) / found.abs();
+        let off = self.bound(figure).of(found - coarse, self.size, at(&self.scales)?);
+        // The force of a fully plastic contact follows the area.
+        let off = match figure {
+            Figure::Force if self.is_loading => {
+                let sides = if self.stress_state == StressState::Axisymmetric { 2.0 } else { 1.0 };
+                off.min(FIRST_ORDER.of(found - coarse, self.size, sides * found))
+            }
+            _ => off,
+        };
+        let of_mesh = off / found.abs();
         // Three times an error of second order, where all increments are solved.
         let of_increments = at(&self.increments).unwrap_or_default();
         Some(of_mesh.max(at(&self.shown).unwrap_or_default()) + of_increments)
+    }
+
+    /// Returns how the error of a figure is bounded.
+    fn bound(&self, figure: Figure) -> Bound {
+        let yields = self.found.largest(Figure::MaxPlasticStrain) > Some(0.0);
+        let is_banded = yields && self.stress_state == StressState::PlaneStress;
+        let is_circle = self.stress_state == StressState::Axisymmetric;
+        match figure {
+            Figure::MaxPlasticStrain | Figure::MeanPlasticStrain | Figure::PlasticArea
+                if is_banded =>
+            {
+                IN_BANDS
+            }
+            Figure::HalfWidth if is_banded => BY_ELEMENTS,
+            Figure::PlasticArea => BY_ELEMENTS,
+            Figure::MaxPlasticStrain if !is_circle => BY_ELEMENTS,
+            Figure::HalfWidth
+            | Figure::MaxPlasticStrain
+            | Figure::MeanPlasticStrain
+            | Figure::PileUp => FIRST_ORDER,
+            Figure::PeakPressure | Figure::MiddlePressure if is_circle => FIRST_ORDER,
+            Figure::LeastStress if is_circle || is_banded => FIRST_ORDER,
+            Figure::Approach | Figure::Dent | Figure::LargestVonMises if is_banded => FIRST_ORDER,
+            _ => SECOND_ORDER,
+        }
     }
 
     /// Returns the bar of a target. A figure of both bodies has the larger of two bars.
@@ -112,18 +137,5 @@ impl Bars {
             TargetFigure::DentDepth => of_bodies(Figure::Dent),
             TargetFigure::MaxPlasticStrain => of_bodies(Figure::MaxPlasticStrain),
         }
-    }
-}
-
-/// Returns the largest scale of the force while loads rise. The force of a fully plastic contact
-/// follows the area, whose error is that of the half-width.
-fn most_of_force(step: &StepSolution) -> f64 {
-    let state = step.field.stress_state;
-    let [of_width, of_force] =
-        [Figure::HalfWidth, Figure::Force].map(|figure| floors(figure)[class_of(state)]);
-    let power = if state == StressState::Axisymmetric { 2.0 } else { 1.0 };
-    match (of_width, of_force) {
-        (Some(width), Some(force)) => power * width / force * step.figures.force.abs(),
-        _ => f64::INFINITY,
     }
 }

@@ -32,7 +32,7 @@ impl BodySolution {
                 [f64::min(least, along), f64::max(most, von_mises)]
             });
         Some(BodyFigures {
-            max_plastic_strain: self.max_plastic_strain(),
+            max_plastic_strain: self.strain_inside(),
             mean_plastic_strain: Some(self.mean_plastic_strain()),
             plastic_area: Some(self.plastic_area(symmetric)),
             plastic_depth: self

@@ -10,6 +10,10 @@ use brinell_material::{HardeningLaw, von_mises};
 /// Half-widths of the meshed contact zone within which a surface is near the contact.
 const SURFACE: f64 = 2.5;
 
+/// Distance from an end of the contact and from the surface, over the half-width, within which
+/// strain has no limit on finer meshes.
+const AT_END: f64 = 0.1;
+
 /// Equivalent plastic strain that rounding leaves.
 const ROUNDING: f64 = 1e-13;
 
@@ -41,12 +45,20 @@ pub struct BodySolution {
     /// Stress at the points of each element before the load, after the body has relaxed; none
     /// without initial stress.
     pub initial_stress: Option<Arc<PointStresses>>,
+    /// Middle of the contact and its largest half-width so far \[mm\].
+    pub contact: [f64; 2],
 }
 
 impl BodySolution {
-    pub(super) fn of(body: &BodyModel, displacement: Vec<[f64; 2]>, stress: StressField) -> Self {
+    pub(super) fn of(
+        body: &BodyModel,
+        displacement: Vec<[f64; 2]>,
+        stress: StressField,
+        contact: [f64; 2],
+    ) -> Self {
         let elastic = &body.elastic;
         Self {
+            contact,
             mesh: Arc::clone(&elastic.mesh),
             quality: elastic.quality(),
             displacement,
@@ -91,11 +103,29 @@ impl BodySolution {
         strains.fold(0.0, f64::max)
     }
 
-    /// Returns the largest equivalent plastic strain, or `None` if the material no longer hardens
+    /// Returns the Gauss point of the largest equivalent plastic strain but for those at the ends of
+    /// the contact, within a tenth of the half-width of an end or beyond it, and of the surface. The
+    /// strain there grows with the density of the mesh, whether the material hardens or not.
+    pub fn most_strained(&self) -> Option<&GaussPoint> {
+        let [middle, half_width] = self.contact;
+        let is_inside = |point: &&GaussPoint| {
+            let [x, depth] = self.mesh.frame.place(point.position);
+            (x - middle).abs() <= (1.0 - AT_END) * half_width || depth >= AT_END * half_width
+        };
+        let points = self.stress.points.iter().flatten().filter(is_inside);
+        points.max_by(|a, b| a.equivalent_plastic_strain.total_cmp(&b.equivalent_plastic_strain))
+    }
+
+    /// Largest equivalent plastic strain at a Gauss point but at the ends of the contact.
+    pub fn strain_inside(&self) -> f64 {
+        self.most_strained().map_or(0.0, |point| point.equivalent_plastic_strain)
+    }
+
+    /// Returns that strain, or `None` if the material no longer hardens
     /// there. Plastic flow then gathers in bands of the width of one element, and the strain grows
     /// with the density of the mesh.
     pub fn bounded_plastic_strain(&self) -> Option<f64> {
-        bounded_strain(self.max_plastic_strain(), self.model.hardening())
+        bounded_strain(self.strain_inside(), self.model.hardening())
     }
 
     /// Largest strain at a Gauss point to which small-strain theory is held: the equivalent

@@ -144,6 +144,11 @@ impl MeshSolve {
         }
     }
 
+    /// x of the middle of the contact and its largest half-width so far \[mm\].
+    pub fn middle_and_widest(&self) -> [f64; 2] {
+        [self.middle(), self.widest()]
+    }
+
     /// Pressure in the middle of the contact \[MPa\].
     fn middle_pressure(&self) -> f64 {
         let (x, pressure) =
@@ -189,7 +194,12 @@ impl MeshSolve {
             .iter()
             .zip(&self.fields)
             .map(|(body, field)| {
-                let solution = BodySolution::of(body, field.nodal.clone(), field.stress.clone());
+                let solution = BodySolution::of(
+                    body,
+                    field.nodal.clone(),
+                    field.stress.clone(),
+                    self.middle_and_widest(),
+                );
                 solution.figures(system.stress_state, symmetric, self.middle(), &pressure)
             })
             .collect();

@@ -370,5 +370,5 @@ pub(super) fn settings() -> SolverSettings {
 
 /// Mesh of a test that gives none.
 pub(super) fn mesh() -> MeshSettings {
-    MeshSettings { elements_per_half_width: ELEMENTS }
+    MeshSettings::default().with_elements(ELEMENTS)
 }

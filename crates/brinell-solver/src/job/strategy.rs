@@ -213,8 +213,12 @@ fn settings() -> impl Strategy<Value = (MeshSettings, SolverSettings, OutputSett
             }
         },
     );
-    let mesh =
-        (4..=320_u32).prop_map(|elements_per_half_width| MeshSettings { elements_per_half_width });
+    let accuracy = proptest::option::of(
+        (1e-3..=0.2).prop_map(|value| PositiveF64::new(value).unwrap_or(PositiveF64::MICRO)),
+    );
+    let mesh = (4..=320_u32, accuracy).prop_map(|(elements_per_half_width, accuracy)| {
+        MeshSettings { elements_per_half_width, accuracy }
+    });
     let output = any::<[bool; 3]>().prop_map(|[subsurface, fields, contact_stiffness]| {
         OutputSettings { subsurface, fields, contact_stiffness }
     });

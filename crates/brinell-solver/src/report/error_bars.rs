@@ -1,18 +1,16 @@
 //! Error bars: estimated bounds of the discretization errors in the figures of a load step.
 //!
 //! ```text
-//! bar · |x| = |x(h) - x(2h)| + floor · h/a · scale + |x(Δt) - x(2Δt)|
+//! bar · |x| = F |x(h) - x(2h)| + L (h/a)^p · scale + |x(Δt) - x(2Δt)|
 //! ```
 //! h is the element size and Δt stands for the increments of flow theory. a is the half-width of
-//! the contact or, without contact, the largest half-width of the history. The end of the contact
-//! lies anywhere between two nodes, and errors scatter with its position. The difference between
-//! two meshes is therefore sometimes far smaller than the error; the floors cover these cases. The
-//! scale is |x|, except for these figures:
+//! the contact or, without contact, the largest half-width of the history. F, L and p are those of
+//! a [bound](crate::solver::method::bounds). The scale is |x|, except for these figures:
 //!
 //! - approach and dent: the largest approach of the history;
 //! - pile-up: the sum of dent and pile-up;
 //! - force: the product of unloading stiffness and largest approach, if it is larger than |x|; while
-//!   loads rise, with a floor of at most that of the contact area;
+//!   loads rise, with a bar of at most that of the contact area;
 //! - stresses: the largest von Mises stress;
 //! - plastic strains: |x| plus the largest von Mises stress over 3 G.
 //!
@@ -79,12 +77,6 @@ pub fn estimate_error(job: &Job, step: &StepSolution) -> (Option<ErrorEstimate>,
     let reference = ElasticReference::of(problem, step.figures.force);
     let findings = validity::findings(job, problem, step, reference.as_ref());
     (estimate(job, step, &findings), left_unknown(step.path.unknown_before, &findings))
-}
-
-/// Returns what the floors of the figures of a load step are multiplied by; `None` where the step
-/// has no bars.
-pub fn scales_of_floors(step: &StepSolution) -> Option<Values> {
-    Bars::of(step).map(|bars| bars.scales)
 }
 
 /// Returns the error bars of a load step, as if its force were prescribed.
@@ -252,24 +244,6 @@ pub(super) fn of_target(
             deformable
                 .map(|(side, _)| bars.of_figure(figure, side))
                 .try_fold(0.0, |most, bar| Some(f64::max(most, bar?)))
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Figure;
-    use crate::report::figure_names::name_of;
-    use crate::solver::floors::floors;
-
-    #[test]
-    fn the_document_has_the_same_floors() {
-        let document = include_str!("../../../../docs/validity.md");
-        for (figure, name) in Figure::ALL.iter().filter_map(|row| Some((row, name_of(*row)?))) {
-            let cells = floors(*figure)
-                .map(|floor| floor.map_or_else(String::new, |floor| format!("{floor}")));
-            let row = format!("| {name} | {} |", cells.join(" | "));
-            assert!(document.contains(&row), "{row}");
         }
     }
 }

@@ -24,7 +24,7 @@ use crate::solver::method::figures::Figure;
 use crate::solver::method::observer::ask;
 use crate::solver::{
     self, BodySolution, ElasticReference, Interrupt, MeshedContact, Observer, Options,
-    SectionField, SolveStatus, StepReceiver, StepSolution, has_yielded,
+    SectionField, SolveStatus, StepReceiver, StepSolution,
 };
 use crate::units::UnitConverter;
 
@@ -257,16 +257,10 @@ fn without_fatigue(step: &StepSolution) -> Option<&'static str> {
 
 /// Returns the plastic zone of a body, but for the depth at which it begins.
 fn zone(solution: &BodySolution, symmetric: bool) -> Zone {
-    let points = || solution.stress.points.iter().flatten();
-    let (mut highest, mut position) = (0.0, [0.0; 2]);
-    for point in points() {
-        if point.equivalent_plastic_strain > highest {
-            (highest, position) = (point.equivalent_plastic_strain, point.position);
-        }
-    }
-    let [place, depth] = solution.mesh.frame.place(position);
+    let most = solution.most_strained().filter(|point| point.equivalent_plastic_strain > 0.0);
+    let [place, depth] = solution.mesh.frame.place(most.map_or([0.0; 2], |point| point.position));
     Zone {
-        yielded: points().any(has_yielded),
+        yielded: solution.has_yielded(),
         largest: solution.bounded_plastic_strain(),
         mean: solution.mean_plastic_strain(),
         place: [place, 0.0, depth],

@@ -1,5 +1,6 @@
 //! The report of a solution: its figures, their validity and their error bars.
 
+mod accuracy;
 mod answers;
 mod contact;
 mod cost;
@@ -46,7 +47,7 @@ pub use answers::{
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use cost::JobEstimate;
 pub use document::*;
-pub use error_bars::{estimate_error, scales_of_floors};
+pub use error_bars::estimate_error;
 pub use fatigue::{FatigueCriterion, FatigueReport};
 pub use field_arrays::{
     FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, encode_fields,

@@ -16,6 +16,14 @@ pub(super) fn findings(job: &Job, step: &StepSolution) -> Vec<Finding> {
             .is_some_and(|body| body.bounded_plastic_strain().is_none())
     });
     let unbounded = bodies.contains(&true).then_some(Finding::UnboundedStrain { bodies });
+    let at_ends = step.field.bodies.each_ref().map(|body| {
+        body.as_ref().filter(|body| body.bounded_plastic_strain().is_some()).and_then(|body| {
+            let (inside, most) = (body.strain_inside(), body.max_plastic_strain());
+            (most > inside).then_some(most)
+        })
+    });
+    let at_ends = at_ends.into_iter().flatten().reduce(f64::max);
+    let at_ends = at_ends.map(|strain| Finding::StrainAtEnds { strain });
     let strain = step
         .field
         .bodies
@@ -23,7 +31,7 @@ pub(super) fn findings(job: &Job, step: &StepSolution) -> Vec<Finding> {
         .flatten()
         .map(|body| body.max_plastic_strain())
         .fold(0.0, f64::max);
-    unbounded.into_iter().chain(bilinear_curve(job, strain)).collect()
+    unbounded.into_iter().chain(at_ends).chain(bilinear_curve(job, strain)).collect()
 }
 
 /// Returns the finding on a small permanent deformation that is computed with a bilinear curve.

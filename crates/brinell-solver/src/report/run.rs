@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
+use super::accuracy;
 use super::cost::JobEstimate;
 use super::find;
 use super::half_spaces::HalfSpaces;
@@ -58,7 +59,12 @@ fn engine(job: &Job) -> Result<Box<dyn Reported + '_>, SolveError> {
 /// # Errors
 /// The fields of the job that describe a contact outside the theory.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    if find::is_asked(job) { find::estimate(job, cost) } else { cost(job) }
+    if find::is_asked(job) { find::estimate(job, estimate) } else { estimate(job) }
+}
+
+/// Estimates the cost of a job without a search.
+fn estimate(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
+    accuracy::estimate(job, cost)
 }
 
 /// Estimates the cost of one solve.
@@ -149,8 +155,18 @@ pub fn run_each(
     solve(job, options, observer, on_step)
 }
 
-/// Solves a job once.
+/// Solves a job without a search.
 fn solve(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+    on_step: &mut dyn FnMut(usize, StepReport),
+) -> Result<Report, RunError> {
+    accuracy::solve(job, options, observer, on_step, solve_once)
+}
+
+/// Solves a job once.
+fn solve_once(
     job: &Job,
     options: Options<'_>,
     observer: &mut dyn Observer,

@@ -257,7 +257,7 @@ mod tests {
     fn numbers_begin_anew_with_a_history() {
         let job =
             Job::from_json(include_bytes!("../../../../api/examples/two_cylinders.json")).unwrap();
-        let job = Job { mesh: MeshSettings { elements_per_half_width: 4 }, ..job };
+        let job = Job { mesh: MeshSettings::default().with_elements(4), ..job };
         let step = inputs::run(&job, &mut Unobserved).unwrap().steps.remove(0);
         let mut numbers = Vec::new();
         let mut on_step = |number, _| numbers.push(number);

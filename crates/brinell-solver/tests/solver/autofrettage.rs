@@ -182,6 +182,7 @@ fn the_bore_has_the_stress_of_its_surface() {
             equations: 0,
             model: perfectly_plastic(0.4999),
             initial_stress: None,
+            contact: [0.0; 2],
         };
         let pressures = vec![pressure; mesh.contact_nodes.len()];
         let known = surface_stresses(StressState::PlaneStrain, false, &body, &pressures);

@@ -108,6 +108,46 @@ pub fn in_millimetres(random: &mut Random, elements: &[u32]) -> Value {
     job
 }
 
+/// A smooth contact of steels at 0.8 to 5.5 yield stresses: a cylinder or ball on a block or on its
+/// equal, by either theory.
+pub fn ordinary(random: &mut Random, elements: u32) -> Value {
+    let analyses =
+        ["plane_strain", "plane_strain", "axisymmetric", "axisymmetric", "plane_stress"];
+    let analysis = random.one_of(&analyses);
+    let (radius, yield_stress) = (random.between(5.0, 50.0), random.between(300.0, 1500.0));
+    let peak = yield_stress * random.between(0.8, 5.5);
+    let tangent_modulus = 210_000.0 * random.one_of(&[0.0, 0.01, 0.05]);
+    let elastic = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+    let mut yielding = elastic.clone();
+    yielding["plasticity"] = json!({"law": "bilinear", "yield_stress": yield_stress,
+        "tangent_modulus": tangent_modulus});
+    let is_pair = random.happens(0.4);
+    let effective = if is_pair { 0.5 * radius } else { radius };
+    let modulus = 210_000.0 / (2.0 * 0.91);
+    let force = if analysis == "axisymmetric" {
+        (std::f64::consts::PI * peak).powi(3) * effective.powi(2) / (6.0 * modulus * modulus)
+    } else {
+        std::f64::consts::PI * peak * peak * effective / modulus
+    };
+    let cylinder = json!({"type": "cylinder", "radius": radius});
+    let lower = if is_pair {
+        cylinder.clone()
+    } else {
+        json!({"type": "block", "width": 4.0 * radius, "depth": 3.0 * radius})
+    };
+    let upper = if random.happens(0.5) { yielding.clone() } else { elastic };
+    let (is_flow, is_unloaded) = (random.happens(0.5), random.happens(0.4));
+    let load = if is_flow && is_unloaded {
+        json!({"history": [{"force": force}, {"force": 0}]})
+    } else {
+        json!({"force": force})
+    };
+    json!({"analysis": analysis, "upper": {"shape": cylinder, "material": upper},
+        "lower": {"shape": lower, "material": yielding}, "load": load,
+        "mesh": {"elements_per_half_width": elements},
+        "solver": {"theory": if is_flow { "flow" } else { "deformation" }}})
+}
+
 /// Which loads that roll are drawn.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Rolls {

@@ -56,8 +56,8 @@ pub(crate) fn finish(
         None
     });
     run.time_observed(Phase::Output, |observer| {
-        let (evidence, bodies) =
-            from_fields(pass, least.residual, observer).unwrap_or_else(|interrupt| {
+        let (evidence, bodies) = from_fields(pass, least.residual, last_peak, observer)
+            .unwrap_or_else(|interrupt| {
                 pass.outcome.status = interrupt.into();
                 from_iteration(pass)
             });
@@ -193,6 +193,7 @@ type Bodies = Vec<Arc<BodySolution>>;
 fn from_fields(
     pass: &mut MeshSolve,
     force_scale: f64,
+    last_peak: Option<LastPeak>,
     observer: &mut dyn Observer,
 ) -> Result<(Evidence, Bodies), Interrupt> {
     if pass.outcome.status.is_stopped() {
@@ -205,6 +206,8 @@ fn from_fields(
     let mut squares = 0.0;
     let mut unloaded_gap = system.initial_gap.clone();
     let mut bodies = Vec::with_capacity(system.bodies.len());
+    let [middle, widest] = pass.middle_and_widest();
+    let middle = last_peak.filter(|_| pass.patch.is_none()).map_or(middle, |[_, middle]| middle);
     for ((body, field), &copies) in
         system.bodies.iter().zip(&mut pass.fields).zip(&system.bodies_represented)
     {
@@ -218,7 +221,7 @@ fn from_fields(
         {
             *g += copies * w;
         }
-        bodies.push(Arc::new(BodySolution::of(body, nodal, stress)));
+        bodies.push(Arc::new(BodySolution::of(body, nodal, stress, [middle, widest])));
     }
     let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force).max(force_scale));
     ask(observer)?;
@@ -229,8 +232,9 @@ fn from_fields(
 /// Takes the step from the last iterate, because a stopped iteration has no fields.
 fn from_iteration(pass: &MeshSolve) -> (Evidence, Bodies) {
     let (system, outcome) = (&pass.system, &pass.outcome);
-    let without_fields =
-        |body: &BodyModel| Arc::new(BodySolution::of(body, Vec::new(), StressField::default()));
+    let without_fields = |body: &BodyModel| {
+        Arc::new(BodySolution::of(body, Vec::new(), StressField::default(), [0.0; 2]))
+    };
     let bodies = system.bodies.iter().map(without_fields).collect();
     (Evidence::of_iteration(system, outcome, pass.reaches_edge), bodies)
 }

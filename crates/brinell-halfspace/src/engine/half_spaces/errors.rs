@@ -1,26 +1,23 @@
 //! Estimated errors of the figures of a step.
 //!
 //! ```text
-//! error = 0.7 |x(n) - x(n/2)| + ½ |x(N) - x(N/2)| + floor · h/a · |x|      n cells, N increments
+//! error = F |x(n) - x(n/2)| + L (h/a)^p |x| + ½ |x(N) - x(N/2)|      n cells, N increments
 //! ```
+//! F, L and p are those of a [bound](brinell_method::bounds).
 //! Under flow theory, an error less the term of the increments is at least what the loads so far
 //! have shown. h/a is the cell over the semi-axis, along x or y where it is larger. The term of the
-//! increments comes from the coarse grid. [Floors](brinell_method::floors) cover the scatter of
-//! figures as cells at the edge enter the contact. The peak pressure of a tilted roller can lie up to
+//! increments comes from the coarse grid. The peak pressure of a tilted roller can lie up to
 //! half a cell from the middle of the nearest cell; there, an ellipse is lower by `(h/2b)²/2`.
 
 use super::step::HalfSpaceStep;
 use brinell_contact::ContactLoad;
+use brinell_method::bounds::{BY_ELEMENTS, FIRST_ORDER, SECOND_ORDER};
 use brinell_method::figures::{Figure, Figures, Values};
-use brinell_method::floors::floors;
 use brinell_method::observer::SolveStatus;
 use brinell_method::sought::TargetFigure;
 
-/// Place of half-spaces among the floors of a figure.
-const HALF_SPACES: usize = 3;
-const OF_GRID: f64 = 0.7;
 const OF_INCREMENTS: f64 = 0.5;
-/// Growth of the floor of the peak pressure with the distance of the peak from the middle over the
+/// Growth of the least part of the peak pressure's bound with the distance of the peak from the middle over the
 /// semi-axis: the pressure of single cells is jagged near the edge. For a perfectly plastic ball
 /// at six yield stresses, 10 and 15 cells give 4.6 % and 3 % too much.
 const OF_RING: f64 = 2.0;
@@ -44,11 +41,19 @@ pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Valu
         return None;
     }
     let (found, coarse) = (step.figures.values(), step.coarse?.values());
-    let of_grid = found.zip(&coarse, |fine, coarse| OF_GRID * (fine - coarse).abs());
-    let of_floors = scales_of_floors(step)
-        .map(|figure, _, scale| floors(figure)[HALF_SPACES].unwrap_or_default() * scale);
+    let relative = relative_sizes(step);
+    let differences = found.zip(&coarse, |fine, coarse| (fine - coarse).abs());
+    let of_grid = differences.map(|figure, side, difference| {
+        let bound = match figure {
+            Figure::MaxPlasticStrain => BY_ELEMENTS,
+            Figure::HalfWidth | Figure::SemiAxisY | Figure::PileUp => FIRST_ORDER,
+            _ => SECOND_ORDER,
+        };
+        let [size, value] = [&relative, &found].map(|of| of.get(figure, side).unwrap_or_default());
+        bound.of(difference, size, value)
+    });
     let shown = found.zip(&step.path.shown, |figure, shown| figure.abs() * shown);
-    let mut errors = of_grid.zip(&of_floors, |grid, floor| grid + floor).with(&shown, f64::max);
+    let mut errors = of_grid.with(&shown, f64::max);
     if step.field.tilt.abs() > 0.0 {
         let of_place = 0.5 * (0.5 * sizes(step)[1]).powi(2) * step.figures.peak_pressure;
         errors = errors.map(|figure, _, error| match figure {
@@ -124,22 +129,19 @@ fn of_increments(found: &Values, changes: &Values) -> Values {
     })
 }
 
-/// Returns the factors of the floors of the figures.
-pub fn scales_of_floors(step: &HalfSpaceStep) -> Values {
+/// Returns the cell over the semi-axis that counts for each figure.
+fn relative_sizes(step: &HalfSpaceStep) -> Values {
     let [along_x, along_y] = sizes(step);
     let size = along_x.max(along_y);
     let [a, b] = step.figures.semi_axes();
     let [x, y] = step.field.peak_position;
     let from_middle = if a.min(b) > 0.0 { (x / a).hypot(y / b).min(1.0) } else { 0.0 };
-    step.figures.values().map(|figure, _, value| {
-        let of_figure = match figure {
-            Figure::HalfWidth => along_x,
-            Figure::SemiAxisY => along_y,
-            Figure::ContactArea => along_x + along_y,
-            Figure::PeakPressure => size * (1.0 + OF_RING * from_middle),
-            _ => size,
-        };
-        of_figure * value.abs()
+    step.figures.values().map(|figure, _, _| match figure {
+        Figure::HalfWidth => along_x,
+        Figure::SemiAxisY => along_y,
+        Figure::ContactArea => along_x + along_y,
+        Figure::PeakPressure => size * (1.0 + OF_RING * from_middle),
+        _ => size,
     })
 }
 

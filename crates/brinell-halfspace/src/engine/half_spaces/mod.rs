@@ -35,7 +35,7 @@ mod utilization;
 pub use conformity::Conformity;
 pub use error::HalfSpaceError;
 pub use errors::figure_of;
-pub use errors::{errors, scales_of_floors, target_error, target_figure};
+pub use errors::{errors, target_error, target_figure};
 pub use estimate::{HalfSpaceEstimate, estimate};
 pub use gap::{HeightMap, Relief, RollerGap};
 pub use measure::Row;

@@ -12,7 +12,8 @@ use super::{JobEstimate, Report, RunError, StepReport};
 use crate::job::{FieldError, Job};
 use crate::solver::{Observer, Options};
 pub use document::{FoundReport, Looks, TolerancesReport};
-use trials::{Solve, Trials, rows_of};
+pub use trials::Solve;
+use trials::{Trials, rows_of};
 
 /// Solves of a search in its estimate: both ends, three or four secants, and a neighbour of the
 /// value found.

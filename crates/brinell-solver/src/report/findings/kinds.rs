@@ -31,6 +31,15 @@ pub(in crate::report) enum Unconverged {
     Pass(TrackFault),
 }
 
+/// Why an accuracy is not met: the number of elements that would not do, or that have no answer or
+/// no time for one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::report) enum Missed {
+    Elements(u32),
+    NoAnswer(u32),
+    Time(u32),
+}
+
 /// A remedy for an iteration without an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::report) enum Advice {

@@ -20,7 +20,8 @@ use crate::solver::method::figures::{Figure, FigureSet};
 pub(super) use guesses::guesses;
 pub(super) use kinds::Voids;
 pub(super) use kinds::{
-    Advice, CasePlace, Deformation, FinerBy, MANY_MESHES, OnsetUnknown, Unconverged, Wide, Work,
+    Advice, CasePlace, Deformation, FinerBy, MANY_MESHES, Missed, OnsetUnknown, Unconverged, Wide,
+    Work,
 };
 use kinds::{BELOW, Row, Section, Takes};
 pub(super) use sentences::CONFORMING_ADVICE;

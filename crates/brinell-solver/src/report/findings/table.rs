@@ -2,8 +2,8 @@
 //! `docs/validity.md` and its sentence.
 
 use super::kinds::{
-    BELOW, CasePlace, Deformation, FinerBy, OnsetUnknown, PEAK_AND_BELOW, Row, Section, Takes,
-    Unconverged, Wide, Work,
+    BELOW, CasePlace, Deformation, FinerBy, Missed, OnsetUnknown, PEAK_AND_BELOW, Row, Section,
+    Takes, Unconverged, Wide, Work,
 };
 use super::sentences::{
     MORE_ELEMENTS, coarse_case, collapse, few, onset_unknown, rounded_tip, stopped,
@@ -390,6 +390,38 @@ findings! {
                  smaller and smaller elements, and is not given. The plastic area and the mean \
                  plastic strain in it have one where a single body flows; two that do not harden \
                  may share the flow otherwise on another mesh.";
+
+    /// The largest plastic strain is that beside the ends of the contact.
+    StrainAtEnds { strain: f64 } => "unbounded_strain", Takes::Nothing,
+    row Mesh
+        "plastic strain is largest within a tenth of the half-width of an end of the contact, or \
+         beyond it, and of the surface"
+        "it has no limit there on smaller and smaller elements, whether the body hardens or not. \
+         The largest plastic strain that is given is that beside these places",
+    |_| format!(
+                "At the ends of the contact plastic strain reaches {} on this mesh and has no \
+                 limit on smaller elements. The largest plastic strain that is given is that \
+                 deeper, or further inside, than a tenth of the half-width.",
+                percent(*strain)
+            );
+
+    /// A figure misses the accuracy that the job asks for.
+    AccuracyMissed { label: String, error: f64, why: Missed } => "accuracy_missed", Takes::Nothing,
+    row Mesh
+        "`mesh.accuracy` is not met by every figure that answers the job and has a bound"
+        "the message names the figure with the largest error, and what stopped the refinement: four \
+         times the elements of the job, a finer mesh without an answer, or the time. It is in \
+         `validity` beside `steps`",
+    |_| {
+                let why = match why {
+                    Missed::Elements(most) => {
+                        format!("on {most} elements, the most that are tried from this mesh")
+                    }
+                    Missed::NoAnswer(next) => format!("and {next} elements have no answer"),
+                    Missed::Time(next) => format!("and the time does not do for {next} elements"),
+                };
+                format!("The {} has ± {}, {why}.", label.to_lowercase(), percent(*error))
+            };
 
     /// A permanent deformation is computed with a bilinear curve.
     BilinearCurve => "bilinear_curve", Takes::Nothing,

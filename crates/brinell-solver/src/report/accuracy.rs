@@ -1,0 +1,164 @@
+//! Meshes that are refined until the figures that answer a job have the error it asks for.
+
+use super::answers::{Answer, ErrorBar};
+use super::find::Solve;
+use super::findings::{Finding, Missed};
+use super::{JobEstimate, Report, RunError, StepReport, validity};
+use crate::job::{Analysis, FieldError, Job, MeshSettings};
+use crate::solver::{Observer, Options, SolveStatus};
+use crate::units::UnitConverter;
+
+/// Largest number of elements over the number that the job gives.
+const MOST: u32 = 4;
+/// Least and largest growth of the number of elements from one mesh to the next.
+const GROWTH: [f64; 2] = [1.25, 2.0];
+
+/// Returns the job on a mesh of so many elements, without an accuracy.
+fn on(job: &Job, elements: u32) -> Job {
+    let mesh = MeshSettings { accuracy: None, ..job.mesh.with_elements(elements) };
+    Job { mesh, ..job.clone() }
+}
+
+fn most_elements(job: &Job) -> u32 {
+    let most = match job.analysis {
+        Analysis::ThreeDimensional => MeshSettings::MAX_CELLS_PER_SEMI_AXIS,
+        _ => MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH,
+    };
+    most.min(MOST * job.mesh.elements_per_half_width)
+}
+
+/// Estimates the cost of a job: with an accuracy that of its finest mesh.
+///
+/// # Errors
+/// Those of the estimate of one mesh.
+pub(super) fn estimate(
+    job: &Job,
+    of: fn(&Job) -> Result<JobEstimate, Vec<FieldError>>,
+) -> Result<JobEstimate, Vec<FieldError>> {
+    match job.mesh.accuracy {
+        Some(_) => of(&on(job, most_elements(job))),
+        None => of(job),
+    }
+}
+
+/// Solves a job, on finer and finer meshes where it asks for an accuracy. Steps of a finer mesh
+/// replace those before. A finer mesh that has no answer, or no time for one, leaves the last one.
+///
+/// # Errors
+/// Those of the first mesh.
+pub(super) fn solve(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+    on_step: &mut dyn FnMut(usize, StepReport),
+    solve: Solve,
+) -> Result<Report, RunError> {
+    let Some(asked) = job.mesh.accuracy else { return solve(job, options, observer, on_step) };
+    let (mut elements, most) = (job.mesh.elements_per_half_width, most_elements(job));
+    let (mut kept, mut steps) = solve_on(job, elements, options, observer, solve)?;
+    let missed = loop {
+        let Some((label, error)) = worst(&kept, &steps).filter(|(_, error)| *error > asked.get())
+        else {
+            break None;
+        };
+        let missed = |why: Missed| Some(Finding::AccuracyMissed { label, error, why });
+        if kept.status != SolveStatus::Converged {
+            break None;
+        }
+        if elements >= most {
+            break missed(Missed::Elements(most));
+        }
+        let growth = (error / asked.get()).clamp(GROWTH[0], GROWTH[1]);
+        let finer = most.min((f64::from(elements) * growth).ceil() as u32);
+        match solve_on(job, finer, options, observer, solve) {
+            Ok((report, finer_steps)) if report.status == SolveStatus::Converged => {
+                (kept, steps, elements) = (report, finer_steps, finer);
+            }
+            Ok((report, _)) if report.status == SolveStatus::TimedOut => {
+                break missed(Missed::Time(finer));
+            }
+            Ok((report, finer_steps)) if report.status == SolveStatus::Cancelled => {
+                (kept, steps) = (report, finer_steps);
+                break None;
+            }
+            Err(RunError::Interrupted(interrupt)) => {
+                if SolveStatus::from(interrupt) == SolveStatus::Cancelled {
+                    return Err(RunError::Interrupted(interrupt));
+                }
+                break missed(Missed::Time(finer));
+            }
+            _ => break missed(Missed::NoAnswer(finer)),
+        }
+    };
+    let write = UnitConverter::new(job.units, job.analysis);
+    kept.validity.extend(validity::remarks(missed.as_slice(), write));
+    steps.into_iter().enumerate().for_each(|(number, step)| on_step(number, step));
+    Ok(kept)
+}
+
+/// Solves a job on a mesh and collects its steps.
+fn solve_on(
+    job: &Job,
+    elements: u32,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+    solve: Solve,
+) -> Result<(Report, Vec<StepReport>), RunError> {
+    let mut steps = Vec::new();
+    let report = solve(&on(job, elements), options, observer, &mut |number, step| {
+        steps.truncate(number);
+        steps.push(step);
+    })?;
+    Ok((report, steps))
+}
+
+/// Returns label and error of the figure with the largest one, of those that answer the job and
+/// have a bound.
+fn worst(report: &Report, steps: &[StepReport]) -> Option<(String, f64)> {
+    let of_steps = steps.iter().flat_map(|step| &step.answers);
+    let rows = report.answers.iter().chain(of_steps);
+    let bound = |row: &Answer| match row.error {
+        ErrorBar::Relative(error) if !row.detail => Some((row.label.clone(), error)),
+        _ => None,
+    };
+    rows.filter_map(bound).max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::run;
+    use crate::solver::Unobserved;
+
+    fn cylinders(accuracy: f64) -> Report {
+        let mut job: serde_json::Value =
+            serde_json::from_slice(include_bytes!("../../../../api/examples/two_cylinders.json"))
+                .unwrap();
+        for side in ["upper", "lower"] {
+            job[side]["material"].as_object_mut().unwrap().remove("plasticity");
+        }
+        job["mesh"] = serde_json::json!({"elements_per_half_width": 8, "accuracy": accuracy});
+        run(&Job::from_value(&job).unwrap(), &mut Unobserved).unwrap()
+    }
+
+    #[test]
+    fn a_mesh_is_refined_until_the_figures_are_met() {
+        let report = cylinders(0.02);
+        let (label, error) = worst(&report, &report.steps).unwrap();
+        assert!(error <= 0.02 && report.validity.is_empty(), "{label} {error}");
+        let coarse = cylinders(0.2);
+        assert!(coarse.mesh.nodes < report.mesh.nodes);
+    }
+
+    #[test]
+    fn what_is_not_met_is_named() {
+        let report = cylinders(0.001);
+        let (label, _) = worst(&report, &report.steps).unwrap();
+        let note = &report.validity[0];
+        assert_eq!(note.code, "accuracy_missed");
+        assert!(
+            note.message.contains(&label.to_lowercase()) && note.message.contains("32"),
+            "{note:?}"
+        );
+    }
+}
