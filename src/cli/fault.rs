@@ -16,8 +16,8 @@ use brinell_solver::report::export::ExportError;
 
 /// Exit code for faults of the program or its surroundings.
 const FAILED: u8 = 1;
-/// Exit code for bad input.
-const BAD_INPUT: u8 = 2;
+/// Exit code for bad input and wrong usage.
+pub(super) const BAD_INPUT: u8 = 2;
 
 /// An error of a command.
 #[derive(Debug, Error)]

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 use jiff::tz::TimeZone;
 use jiff::{Span, Timestamp};
 
@@ -15,6 +15,7 @@ use crate::app::{open_existing, open_keys};
 use crate::config::StorageConfig;
 use crate::jobs::{ApiKey, Clock, KeyId, KeyLimits, Scope, SystemClock, new_secret};
 use crate::telemetry::AUDIT;
+use brinell_solver::job::Named as _;
 
 /// Arguments of `brinell key`.
 #[derive(Debug, Args)]
@@ -35,7 +36,7 @@ enum KeyCommand {
         name: String,
         /// What it may do
         #[arg(long, value_name = "SCOPE", default_value = "write")]
-        scope: KeyScope,
+        scope: Scope,
         #[command(flatten)]
         limits: Limits,
         #[command(flatten)]
@@ -107,29 +108,6 @@ impl Limits {
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum KeyScope {
-    /// Look at its own jobs
-    Read,
-    /// Hand jobs in, stop and remove its own
-    Write,
-    /// Look at everybody's jobs
-    Monitor,
-    /// Everything, with everybody's jobs
-    Admin,
-}
-
-impl From<KeyScope> for Scope {
-    fn from(scope: KeyScope) -> Self {
-        match scope {
-            KeyScope::Read => Self::Read,
-            KeyScope::Write => Self::Write,
-            KeyScope::Monitor => Self::Monitor,
-            KeyScope::Admin => Self::Admin,
-        }
-    }
-}
-
 pub(super) fn key(args: &KeyArgs) -> Result<ExitCode, Fault> {
     block_on(async {
         let text = match &args.command {
@@ -178,11 +156,11 @@ pub(super) fn key(args: &KeyArgs) -> Result<ExitCode, Fault> {
 
 async fn create(
     name: &str,
-    scope: KeyScope,
+    scope: Scope,
     limits: Limits,
     storage: &StorageConfig,
 ) -> Result<String, Fault> {
-    let (key, token) = ApiKey::generate(name.to_owned(), scope.into(), SystemClock.now());
+    let (key, token) = ApiKey::generate(name.to_owned(), scope, SystemClock.now());
     let key = ApiKey { limits: limits.limits(), expires_at: limits.expires, ..key };
     let id = key.id;
     open_keys(storage).await?.add_key(key).await?;

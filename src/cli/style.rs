@@ -12,6 +12,22 @@ pub struct Style {
     pub unicode: bool,
 }
 
+/// Characters beyond ASCII, and what stands for them.
+const SPELLED: [(&str, &str); 12] = [
+    ("σ", "s"),
+    ("ν", "nu"),
+    ("ε", "e"),
+    ("Δ", "d"),
+    ("θ", "t"),
+    ("α", "a"),
+    ("┤│╵", "|"),
+    ("└┴", "+"),
+    ("·—─", "-"),
+    ("…", "."),
+    ("±", "~"),
+    ("²", "2"),
+];
+
 impl Style {
     /// Style of files: Unicode without colours.
     pub const PLAIN: Self = Self { colour: false, unicode: true };
@@ -84,33 +100,12 @@ impl Style {
         if self.unicode || text.is_ascii() {
             return text;
         }
-        text.chars().fold(String::with_capacity(text.len()), |mut spelled, symbol| {
-            match symbol {
-                'σ' => spelled.push('s'),
-                'ν' => spelled.push_str("nu"),
-                'ε' => spelled.push('e'),
-                'Δ' => spelled.push('d'),
-                'θ' => spelled.push('t'),
-                'α' => spelled.push('a'),
-                '·' | '—' | '─' | '└' | '┴' | '┤' | '│' | '╵' => {
-                    spelled.push(ascii_line(symbol));
-                }
-                '…' => spelled.push('.'),
-                '±' => spelled.push('~'),
-                '²' => spelled.push('2'),
-                symbol if symbol.is_ascii() => spelled.push(symbol),
-                _ => spelled.push('?'),
-            }
-            spelled
-        })
-    }
-}
-
-fn ascii_line(symbol: char) -> char {
-    match symbol {
-        '┤' | '│' | '╵' => '|',
-        '└' | '┴' => '+',
-        _ => '-',
+        let spelled = |symbol: char| match SPELLED.iter().find(|(of, _)| of.contains(symbol)) {
+            Some((_, ascii)) => (*ascii).to_owned(),
+            None if symbol.is_ascii() => symbol.to_string(),
+            None => "?".to_owned(),
+        };
+        text.chars().map(spelled).collect()
     }
 }
 

@@ -8,17 +8,15 @@ use std::process::ExitCode;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, Error};
 
+use super::fault::BAD_INPUT;
 use super::style::Style;
-
-/// Exit code for wrong usage.
-const USAGE: u8 = 2;
 
 /// Prints a message about the arguments, or clap's help or version.
 pub(super) fn report(error: &Error, command: &Command) -> ExitCode {
     let Some(line) = explain(error, command) else { error.exit() };
     // If the output is closed, the message is lost.
     let _ = writeln!(io::stderr(), "{} {line}", Style::of_stderr().red("error:"));
-    ExitCode::from(USAGE)
+    ExitCode::from(BAD_INPUT)
 }
 
 /// Describes a wrong value; `None` for other errors.

@@ -2,8 +2,6 @@
 //! has taken the last one: a client that does not read occupies little memory and no connection to
 //! the database.
 
-use std::time::Duration;
-
 use axum::response::sse::Event;
 use serde::Serialize;
 use tokio::sync::mpsc::Sender;
@@ -13,11 +11,9 @@ use super::HttpState;
 use super::prefix::Prefix;
 use super::wire::JobDocument;
 use crate::jobs::{
-    IterationRecord, JobId, JobRecord, JobState, NumberedIteration, StoreError, Subscription,
+    IterationRecord, JobId, JobRecord, JobState, NumberedIteration, POLL_INTERVAL, StoreError,
+    Subscription,
 };
-
-/// Longest time between two queries of the store, in case an announcement is lost.
-const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Number of iterations sent, and their attempt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -5,6 +5,7 @@ use std::future::ready;
 use axum::body::Body;
 use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
+use brinell_solver::job::Named as _;
 
 use super::access::Caller;
 use super::result_body::no_result;
@@ -31,7 +32,7 @@ pub(super) async fn export_file(
     // A browser shows figures and saves all other files.
     let disposition =
         if form.media_type().starts_with("image/") { "inline" } else { "attachment" };
-    let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());
+    let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.name());
     let headers =
         [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
     Ok((headers, body).into_response())

@@ -513,7 +513,7 @@ impl FromStr for NamedState {
     type Err = fmt::Error;
 
     fn from_str(text: &str) -> Result<Self, fmt::Error> {
-        JobState::by_name(text).map(Self).ok_or(fmt::Error)
+        JobState::of_word(text).map(Self).ok_or(fmt::Error)
     }
 }
 

@@ -4,16 +4,19 @@
 use std::time::Duration;
 
 use async_trait::async_trait;
+use brinell_solver::job::Named;
 use jiff::Timestamp;
 use serde::Serialize;
+use strum::{IntoStaticStr, VariantArray};
 use utoipa::ToSchema;
 use uuid::Uuid;
 
 use super::{JobId, KeyId, StoreError, TraceParent};
 
 /// How far the announcement of a job's end has come.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ToSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ToSchema, IntoStaticStr, VariantArray)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum CallbackState {
     /// The job has not ended.
     Waiting,
@@ -25,25 +28,7 @@ pub enum CallbackState {
     Failed,
 }
 
-impl CallbackState {
-    /// Every state.
-    pub const ALL: [Self; 4] = [Self::Waiting, Self::Pending, Self::Delivered, Self::Failed];
-
-    /// Its name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Waiting => "waiting",
-            Self::Pending => "pending",
-            Self::Delivered => "delivered",
-            Self::Failed => "failed",
-        }
-    }
-
-    /// The state of that name.
-    pub fn by_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|state| state.name() == name)
-    }
-}
+impl Named for CallbackState {}
 
 /// The announcement of a job's end.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]

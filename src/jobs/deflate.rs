@@ -33,7 +33,7 @@ const GZIP_HEAD: [u8; 10] = [0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 255];
 const MAX_STORED: usize = 0xffff;
 
 /// Largest size \[bytes\] of an unpacked text; a damaged row could claim any.
-const UNPACKED_LIMIT: u64 = 1 << 30;
+pub const UNPACKED_LIMIT: u64 = 1 << 30;
 
 /// An error for bytes that are not a compressed text.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]

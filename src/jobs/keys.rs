@@ -7,9 +7,12 @@
 use std::time::Duration;
 
 use async_trait::async_trait;
+use brinell_solver::job::Named;
+use clap::ValueEnum;
 use jiff::Timestamp;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
+use strum::{IntoStaticStr, VariantArray};
 use subtle::ConstantTimeEq;
 use uuid::Uuid;
 
@@ -18,12 +21,25 @@ use super::{KeyId, StoreError};
 const PREFIX: &str = "brinell_";
 
 /// What a key may do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    IntoStaticStr,
+    ValueEnum,
+    VariantArray,
+)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum Scope {
     /// Look at its own jobs.
     Read,
-    /// Hand jobs in too, and stop and remove its own.
+    /// Hand jobs in, stop and remove its own.
     Write,
     /// Look at everybody's jobs.
     Monitor,
@@ -32,9 +48,6 @@ pub enum Scope {
 }
 
 impl Scope {
-    /// Every scope.
-    pub const ALL: [Self; 4] = [Self::Read, Self::Write, Self::Monitor, Self::Admin];
-
     /// Returns whether the key may submit, cancel and remove jobs.
     pub const fn changes(self) -> bool {
         matches!(self, Self::Write | Self::Admin)
@@ -44,22 +57,9 @@ impl Scope {
     pub const fn sees_all(self) -> bool {
         matches!(self, Self::Monitor | Self::Admin)
     }
-
-    /// Its name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Read => "read",
-            Self::Write => "write",
-            Self::Monitor => "monitor",
-            Self::Admin => "admin",
-        }
-    }
-
-    /// The scope of that name.
-    pub fn by_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|scope| scope.name() == name)
-    }
 }
+
+impl Named for Scope {}
 
 /// Limits of an API key; `None` takes the limit of the service's settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

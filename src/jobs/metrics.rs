@@ -5,6 +5,7 @@ use std::time::Duration;
 use metrics::{counter, gauge, histogram};
 
 use super::{Counts, JobState};
+use brinell_solver::job::Named;
 use brinell_solver::solver::FactorCacheStats;
 
 /// Jobs waiting, of all nodes that share the queue.
@@ -42,7 +43,7 @@ pub fn waited(time: Duration) {
 
 /// Records an attempt that ended. A job that returned to the queue has no final state.
 pub fn attempted(outcome: Option<JobState>, time: Duration, iterations: usize) {
-    counter!(JOBS_TOTAL, "outcome" => outcome.map_or("released", JobState::name)).increment(1);
+    counter!(JOBS_TOTAL, "outcome" => outcome.map_or("released", Named::name)).increment(1);
     histogram!(SOLVE_DURATION).record(time);
     histogram!(SOLVER_ITERATIONS).record(iterations as f64);
 }

@@ -43,7 +43,7 @@ pub use attended::AttendedJob;
 pub use callback::{Callback, CallbackState, Delivery, DeliveryEnd, DeliveryStore};
 pub use clock::{Clock, SystemClock};
 pub use closed_form::{ClosedForm, ClosedFormStep};
-pub use deflate::{DeflateError, Deflated, GzipStream};
+pub use deflate::{DeflateError, Deflated, GzipStream, UNPACKED_LIMIT};
 pub use encode::{EncodeError, encode};
 pub use export::{ExportFailure, Exported};
 pub use failure::{FailureKind, JobFailure, Outcome};
@@ -55,7 +55,9 @@ pub use keys::{
 pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob, NumberedIteration};
 pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult, take_fields};
-pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitError};
+pub use service::{
+    JobService, POLL_INTERVAL, Rejection, Submission, SubmissionLimits, SubmitError,
+};
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;
 pub use store::{

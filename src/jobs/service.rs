@@ -28,9 +28,9 @@ use brinell_solver::job::tensile::{TensileTest, TestedCurve};
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
 
-/// Longest time between two queries of a waiting request. Changes are announced, so the time
-/// matters only when an announcement of another process is lost.
-const POLL_INTERVAL: Duration = Duration::from_secs(1);
+/// Longest time between two queries of a request that waits, or of a stream of events. Changes are
+/// announced, so the time matters only when an announcement of another process is lost.
+pub const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Time between two checks of the API key of a long request.
 const KEY_INTERVAL: Duration = Duration::from_secs(5);

@@ -3,15 +3,30 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
+use strum::{IntoStaticStr, VariantArray};
 use utoipa::ToSchema;
 
+use brinell_solver::job::Named;
 use brinell_solver::solver::SolveStatus;
 
-/// The state of a job. The first two are transient, the others are final.
+/// The state of a job, in the order of its life. The first two are transient, the others are final.
 #[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, ToSchema,
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    ToSchema,
+    IntoStaticStr,
+    VariantArray,
 )]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum JobState {
     /// Accepted, waiting for a free solver.
     Queued,
@@ -30,40 +45,13 @@ pub enum JobState {
 }
 
 impl JobState {
-    /// Every state, in the order of a job's life.
-    pub const ALL: [Self; 7] = [
-        Self::Queued,
-        Self::Running,
-        Self::Succeeded,
-        Self::NotConverged,
-        Self::Failed,
-        Self::Cancelled,
-        Self::TimedOut,
-    ];
-
     /// Returns whether the state is final.
     pub const fn is_finished(self) -> bool {
         !matches!(self, Self::Queued | Self::Running)
     }
-
-    /// The state of that name.
-    pub fn by_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|state| state.name() == name)
-    }
-
-    /// The name used in the wire format.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Queued => "queued",
-            Self::Running => "running",
-            Self::Succeeded => "succeeded",
-            Self::NotConverged => "not_converged",
-            Self::Failed => "failed",
-            Self::Cancelled => "cancelled",
-            Self::TimedOut => "timed_out",
-        }
-    }
 }
+
+impl Named for JobState {}
 
 impl From<SolveStatus> for JobState {
     fn from(status: SolveStatus) -> Self {
@@ -84,7 +72,7 @@ impl fmt::Display for JobState {
 
 #[cfg(test)]
 mod tests {
-    use super::JobState;
+    use super::*;
 
     #[test]
     fn the_name_is_the_wire_name() {

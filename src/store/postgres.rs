@@ -44,7 +44,6 @@ const LINE_TIME: Duration = Duration::from_secs(10);
 /// Time without use after which a connection is asked for a sign of life before its next use, and
 /// the longest wait for that.
 const IDLE: Duration = Duration::from_secs(1);
-const PING_WAIT: Duration = Duration::from_secs(1);
 
 /// Longest wait for the sign of life of a connection that is given back, for which nobody waits.
 const RELEASE_WAIT: Duration = Duration::from_secs(10);
@@ -102,9 +101,9 @@ fn pool(connections: u32, wait: Duration) -> PgPoolOptions {
         Box::pin(async move { connection.execute(SESSION).await.map(drop) })
     });
     let options = options.before_acquire(|connection, used| {
-        Box::pin(async move {
-            Ok(used.idle_for < IDLE || answers(connection, PING_WAIT).await.is_ok())
-        })
+        Box::pin(
+            async move { Ok(used.idle_for < IDLE || answers(connection, IDLE).await.is_ok()) },
+        )
     });
     options.after_release(|connection, _| {
         Box::pin(async move { answers(connection, RELEASE_WAIT).await.map(|()| true) })

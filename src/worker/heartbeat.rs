@@ -8,8 +8,9 @@ use tokio::time::sleep;
 use super::state::WorkerState;
 use crate::jobs::{Lease, LeaseStatus};
 
-/// Pause behind a heartbeat that the store did not answer.
-const RETRY: Duration = Duration::from_secs(1);
+/// Pause behind a heartbeat or a write of results that the store did not answer, and before a long
+/// job tries again to give its place back.
+pub(super) const RETRY: Duration = Duration::from_secs(1);
 
 impl WorkerState {
     /// Extends all leases periodically and stops the solves that were cancelled or whose lease is

@@ -9,6 +9,7 @@ use tracing::Instrument;
 use tracing::field::Empty;
 
 use super::attempt::attempt;
+use super::heartbeat::RETRY;
 use super::message::Message;
 use super::observer::{JobObserver, StopFlag};
 use super::slots::Slot;
@@ -27,9 +28,6 @@ const BATCH: usize = 64;
 /// further steps or for the end of the job, so that a job of one step is written once.
 const LARGE_STEP: usize = 256 << 10;
 
-/// Pause before a failed write of results is repeated.
-const STEP_RETRY: Duration = Duration::from_secs(1);
-
 /// Time between two writes of progress. A job that ends sooner is written once, with its result.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 
@@ -38,9 +36,6 @@ const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 /// takes the job either.
 const FIRST_RETRY: Duration = Duration::from_millis(100);
 const LONGEST_RETRY: Duration = Duration::from_secs(5);
-
-/// Pause before a long job tries again to give its place back.
-const PLACE_RETRY: Duration = Duration::from_secs(1);
 
 /// The channels of a solver thread.
 struct SolveChannels {
@@ -215,7 +210,7 @@ impl WorkerState {
                 }
                 () = sleep_until(long_at), if has_place => {
                     has_place = slot.give_place_back();
-                    long_at = Instant::now() + PLACE_RETRY;
+                    long_at = Instant::now() + RETRY;
                 }
                 signal = subscription.changed() => if signal.cancel_requested { stop.raise() },
             }
@@ -274,7 +269,7 @@ impl WorkerState {
                 error = &error as &dyn std::error::Error,
                 "steps not written yet"
             );
-            sleep(STEP_RETRY).await;
+            sleep(RETRY).await;
         }
         Ok(())
     }

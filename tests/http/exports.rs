@@ -1,5 +1,6 @@
 //! Exports of results for other programs.
 
+use brinell_solver::job::Named as _;
 use brinell_solver::report::export::Export;
 use serde_json::{Value, json};
 
@@ -202,7 +203,7 @@ fn what_an_engine_does_not_have_is_not_in_its_results() {
             asked["output"] = json!({"fields": with_fields, "subsurface": with_fields});
             let job = server.target.submit(&asked);
             let links = server.target.wait_for(&job, &["succeeded"])["links"].clone();
-            for form in Export::ALL.map(Export::file_name) {
+            for form in Export::ALL.iter().map(|form| form.name()) {
                 let answer = server.target.get(&format!("{job}/{form}"));
                 if links[form.replace('.', "_")].is_string() {
                     assert_eq!(answer.status, 200, "{form} of {asked}");

@@ -1,8 +1,6 @@
 //! Workers whose lines to the database are slow, silent or late lose no job: the real program with
 //! its own connections.
 
-use std::collections::BTreeMap;
-use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
@@ -35,22 +33,18 @@ impl Fleet {
         Self { line, api, _workers: workers }
     }
 
-    /// Waits until all jobs have ended, and asserts that each has succeeded in its first attempt.
-    fn assert_no_lease_is_lost(&self, ids: &[String], mut meanwhile: impl FnMut(&Line)) {
+    /// Waits until the jobs have ended, and asserts that each has succeeded in its first attempt.
+    fn assert_no_lease_is_lost(&self, ids: &[String]) {
         let mut client = Client::connect(&self.api.target.url);
         let begin = Instant::now();
-        let jobs = loop {
-            meanwhile(&self.line);
-            let jobs: BTreeMap<String, Value> = client.all_jobs();
-            let has_ended = |job: &Value| job["done"] == true;
-            if jobs.values().all(has_ended) {
-                break jobs;
-            }
-            assert!(begin.elapsed() < BOUND, "{jobs:?}");
-            sleep(Duration::from_millis(200));
-        };
         for id in ids {
-            let job = &jobs[id];
+            let job = loop {
+                let (_, job) = client.get(&format!("/v1/jobs/{id}?wait=10"));
+                if job["done"] == true {
+                    break job;
+                }
+                assert!(begin.elapsed() < BOUND, "{job}");
+            };
             assert_eq!(
                 (&job["status"], &job["attempts"]),
                 (&json!("succeeded"), &json!(1)),
@@ -79,7 +73,7 @@ fn no_lease_is_lost_through_a_slow_line() {
         fleet.line.set_rate(250_000);
         let mut ids: Vec<_> = (0..=2 * solvers).map(|_| client.submit(&large_job())).collect();
         ids.extend(client.submit_small_jobs(10));
-        fleet.assert_no_lease_is_lost(&ids, |_| ());
+        fleet.assert_no_lease_is_lost(&ids);
     }
 }
 
@@ -92,15 +86,8 @@ fn no_lease_is_lost_through_a_line_that_falls_silent() {
         let mut client = Client::connect(&fleet.api.target.url);
         let mut ids: Vec<_> = (0..=2 * solvers).map(|_| client.submit(&large_job())).collect();
         ids.extend(client.submit_small_jobs(50));
-        let mut silences = 0;
-        fleet.assert_no_lease_is_lost(&ids, |line| {
-            if silences < 4 {
-                line.set_silent(true);
-                sleep(Duration::from_secs(4));
-                line.set_silent(false);
-                silences += 1;
-            }
-        });
+        fleet.line.fall_silent(4, Duration::from_secs(4));
+        fleet.assert_no_lease_is_lost(&ids);
     }
 }
 
@@ -117,6 +104,6 @@ fn no_lease_is_lost_to_a_server_that_answers_after_5_s() {
         (fleet, ids)
     });
     for (fleet, ids) in fleets {
-        fleet.assert_no_lease_is_lost(&ids, |_| ());
+        fleet.assert_no_lease_is_lost(&ids);
     }
 }

@@ -3,10 +3,10 @@
 use std::io::{Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::os::unix::net::UnixStream;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use sqlx::postgres::PgConnectOptions;
 
@@ -23,8 +23,9 @@ struct Faults {
     rate: AtomicU64,
     /// Milliseconds by which each answer is late.
     late: AtomicU64,
-    /// Nothing passes, and nothing is closed.
-    is_silent: AtomicBool,
+    /// When silences begin, how many there are, and how long each is: nothing passes, and nothing
+    /// is closed.
+    silences: Mutex<Option<(Instant, u32, Duration)>>,
 }
 
 /// Two ends of a connection to the database.
@@ -83,8 +84,24 @@ impl Line {
         self.faults.late.store(milliseconds, Ordering::Relaxed);
     }
 
-    pub fn set_silent(&self, is_silent: bool) {
-        self.faults.is_silent.store(is_silent, Ordering::Relaxed);
+    /// Lets the line fall silent again and again, with a breath in between.
+    pub fn fall_silent(&self, times: u32, length: Duration) {
+        *self.faults.silences.lock().unwrap() = Some((Instant::now(), times, length));
+    }
+}
+
+impl Faults {
+    /// What is left of a silence.
+    fn silence(&self) -> Duration {
+        let Some((since, times, length)) = *self.silences.lock().unwrap() else {
+            return Duration::ZERO;
+        };
+        let round = length + length / 20;
+        let past = since.elapsed();
+        let into = past.as_nanos() % round.as_nanos();
+        let left = length.as_nanos().saturating_sub(into);
+        let left = if past < times * round { left } else { 0 };
+        Duration::from_nanos(left.try_into().unwrap())
     }
 }
 
@@ -115,10 +132,9 @@ fn pass(
 ) {
     let mut bytes = vec![0; 1 << 16];
     while let Ok(length @ 1..) = from.read(&mut bytes) {
+        // A line with faults is one that waits.
         thread::sleep(delay(length, faults));
-        while faults.is_silent.load(Ordering::Relaxed) {
-            thread::sleep(Duration::from_millis(10));
-        }
+        thread::sleep(faults.silence());
         if to.write_all(&bytes[..length]).is_err() {
             break;
         }

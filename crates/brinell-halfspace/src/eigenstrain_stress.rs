@@ -57,7 +57,7 @@ use crate::{Elasticity, Layers};
 /// Numbers kept of a layer between the sweeps.
 const KEPT: usize = 10;
 /// Numbers that depend on layer and wave number: e, al, be, I0/h, I1/h.
-const COEFFICIENTS: usize = 5;
+pub(crate) const COEFFICIENTS: usize = 5;
 
 type Lanes = [f64; WIDTH];
 

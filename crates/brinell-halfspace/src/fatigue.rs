@@ -126,15 +126,26 @@ impl Fatigue {
         Ok(Self { depths, criteria })
     }
 
-    /// The same beside an elastic contact of the same force.
-    #[must_use]
-    pub fn beside(mut self, elastic: &Self) -> Self {
-        for (criterion, elastic) in self.criteria.iter_mut().zip(&elastic.criteria) {
+    /// The same beside the elastic contact of the same force, where there is one.
+    ///
+    /// # Errors
+    /// [`Stopped`], as of [`Self::of`].
+    pub fn beside(
+        mut self,
+        elastic: Option<&Passing>,
+        friction: f64,
+        strength: &FatigueStrength,
+        stop: &mut Stop<'_>,
+    ) -> Result<Self, Stopped> {
+        let Some(elastic) = elastic else { return Ok(self) };
+        let depths = self.depths.clone();
+        let elastic = Self::of(elastic, friction, strength, depths, |_, _| 0.0, stop)?;
+        for (criterion, elastic) in self.criteria.iter_mut().zip(elastic.criteria) {
             if let Some(criterion) = criterion {
-                criterion.elastic = elastic.as_ref().map(|elastic| elastic.without_rest);
+                criterion.elastic = elastic.map(|elastic| elastic.without_rest);
             }
         }
-        self
+        Ok(self)
     }
 
     /// The largest utilization by each criterion.

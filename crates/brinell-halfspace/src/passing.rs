@@ -13,9 +13,8 @@ use crate::line::strip;
 use crate::tensors::COMPONENTS;
 use crate::{SurfaceGrid, pressure_stress, traction_stress};
 
-/// A depth over a cell at which stress is that of the surface.
-const SURFACE: f64 = 1e-6;
-/// Part of a pressure below which its two sides are alike.
+/// Part of a pressure below which its two sides are alike, and depth over a cell at which stress is
+/// that of the surface.
 const ALIKE: f64 = 1e-6;
 
 /// A pressure that passes over a half-space along x: the cells of the smallest rectangle with all
@@ -163,10 +162,8 @@ impl Passing {
     pub fn at(&self, depth: f64) -> Level<'_> {
         let [hx, hy] = self.sides;
         let kernel = match self.below {
-            Below::Section { out_of_plane } => {
-                self.of_strips(depth.max(SURFACE * hx), out_of_plane)
-            }
-            Below::Space { poisson } => self.of_cells(depth.max(SURFACE * hx.min(hy)), poisson),
+            Below::Section { out_of_plane } => self.of_strips(depth.max(ALIKE * hx), out_of_plane),
+            Below::Space { poisson } => self.of_cells(depth.max(ALIKE * hx.min(hy)), poisson),
         };
         Level { of: self, kernel }
     }

@@ -9,12 +9,10 @@ const PATIENCE: usize = 3;
 const IMPATIENCE: f64 = 1.5;
 /// Least part of a bracket that an interpolated force keeps from its ends.
 const MARGIN: f64 = 0.1;
-/// Distance from the smallest force that could not be solved, as a logarithm, at which the search
-/// ends.
-const AT_LIMIT: f64 = 0.02;
 /// Range of the forces that are tried \[N/mm or N\].
 const FORCES: (f64, f64) = (1e-9, 1e9);
-/// Width of a bracket within which the figure jumps, because the contact gains or loses a node.
+/// Width of a bracket, as a logarithm, within which the figure jumps, because the contact gains or
+/// loses a node; distance from the smallest force that could not be solved at which the search ends.
 const CLOSED: f64 = 0.01;
 /// Largest distance of trials from a force, as a logarithm, in the fit of the slope there; the
 /// second constant is their least spread.
@@ -148,7 +146,7 @@ impl Bracket {
                 let step = if y.is_finite() { -y / slope } else { STEP_FROM_NOTHING * growth };
                 let step = step.min(LARGEST_STEP);
                 match self.limit {
-                    Some(limit) if limit - low < AT_LIMIT => return Next::AtLimit,
+                    Some(limit) if limit - low < CLOSED => return Next::AtLimit,
                     Some(limit) => (low + step).min(f64::midpoint(low, limit)),
                     None => low + step,
                 }

@@ -149,6 +149,50 @@ pub trait Observer {
     }
 }
 
+/// Passes iterations on to another observer: with other figures, or as preliminary.
+pub struct Retold<'a, F> {
+    observer: &'a mut dyn Observer,
+    is_preliminary: bool,
+    record: F,
+}
+
+impl<'a, F: Fn(&IterationRecord) -> IterationRecord> Retold<'a, F> {
+    /// Passes what `record` makes of an iteration on.
+    pub fn new(observer: &'a mut dyn Observer, record: F) -> Self {
+        Self { observer, is_preliminary: false, record }
+    }
+
+    /// As [`Self::new`], but every iteration is preliminary.
+    pub fn preliminary(observer: &'a mut dyn Observer, record: F) -> Self {
+        Self { observer, is_preliminary: true, record }
+    }
+}
+
+impl<F: Fn(&IterationRecord) -> IterationRecord> Observer for Retold<'_, F> {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        if self.is_preliminary {
+            return self.on_preliminary_iteration(record);
+        }
+        self.observer.on_iteration(&(self.record)(record))
+    }
+
+    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.observer.on_preliminary_iteration(&(self.record)(record))
+    }
+
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        self.observer.on_checkpoint()
+    }
+
+    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
+        self.observer.on_held(part, bytes)
+    }
+
+    fn elapsed(&self) -> Duration {
+        self.observer.elapsed()
+    }
+}
+
 /// A part of a solve that may take much memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Held {

@@ -1,10 +1,9 @@
 //! The context of a running solve: its observer and the record of its time.
 
 use std::ops::ControlFlow;
-use std::time::Duration;
 
 use crate::Error;
-use crate::observer::{Held, Interrupt, IterationRecord, Observer, ask};
+use crate::observer::{Held, Interrupt, IterationRecord, Observer, Retold, ask};
 use crate::phases::{Phase, PhaseTimes};
 use brinell_contact::{ContactError, ContactProblem, ContactSolution, ContactSolver};
 
@@ -35,12 +34,8 @@ impl<'a> Run<'a> {
 
     /// Runs `work`, whose iterations are preliminary to the observer.
     pub fn preliminarily<T>(&mut self, work: impl FnOnce(&mut Run<'_>) -> T) -> T {
-        let mut preliminary = Preliminary { inner: &mut *self.observer };
-        work(&mut Run {
-            phases: &mut *self.phases,
-            passes: &mut *self.passes,
-            observer: &mut preliminary,
-        })
+        let observer = &mut Retold::preliminary(self.observer, IterationRecord::clone);
+        work(&mut Run { phases: self.phases, passes: self.passes, observer })
     }
 
     /// Runs `work` and books its time.
@@ -96,32 +91,5 @@ impl<'a> Run<'a> {
     /// Shows an iteration to the observer.
     pub fn show(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
         self.observer.on_iteration(record)
-    }
-}
-
-/// Passes iterations on as preliminary.
-struct Preliminary<'a> {
-    inner: &'a mut dyn Observer,
-}
-
-impl Observer for Preliminary<'_> {
-    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        self.inner.on_preliminary_iteration(record)
-    }
-
-    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        self.inner.on_preliminary_iteration(record)
-    }
-
-    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
-        self.inner.on_checkpoint()
-    }
-
-    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
-        self.inner.on_held(part, bytes)
-    }
-
-    fn elapsed(&self) -> Duration {
-        self.inner.elapsed()
     }
 }

@@ -476,8 +476,8 @@ impl Floor {
                         &mesh,
                         brinell_solver::inputs::support(body.support),
                     ),
-                    bulk: material.elastic().bulk_modulus(),
-                    shear: material.elastic().shear_modulus(),
+                    bulk: material.elastic.bulk_modulus(),
+                    shear: material.elastic.shear_modulus(),
                     equations: solved.equations,
                     mesh,
                 }

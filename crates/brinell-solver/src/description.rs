@@ -62,7 +62,7 @@ fn material(body: &Body) -> String {
         (Some(name), _) => name.clone(),
         (None, Material::Rigid) => "rigid".to_owned(),
         (None, Material::Deformable(material)) => {
-            material.plasticity().map_or("elastic", |law| law.table().label).to_lowercase()
+            material.plasticity.as_ref().map_or("elastic", |law| law.table().label).to_lowercase()
         }
     }
 }

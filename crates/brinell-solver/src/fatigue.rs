@@ -8,15 +8,12 @@ use brinell_halfspace::{Fatigue, Passing, Stop, Stopped, SurfaceGrid};
 
 use crate::fem::element::StressState;
 use crate::material::Solid;
-use crate::material::fatigue::{FatigueStrength, hydrostatic};
+use crate::material::fatigue::hydrostatic;
 use crate::solver::{ElasticReference, Problem, StepSolution};
 
 /// Strips over half the width of a line, and cells over the radius of a circle.
 const STRIPS: usize = 40;
 const CELLS: usize = 20;
-/// Depths of the curves over the half-width: 3 half-widths in steps of 0.05.
-const DEPTHS: usize = 60;
-const STEP: f64 = 0.05;
 
 /// Part of the half-width beyond which a largest pressure is that of an edge. Below a ball at 2.3
 /// times the limit of shakedown the pressure is largest at 0.6 of it, below flat punches whose rounded
@@ -56,23 +53,15 @@ pub fn of_section(
         let [along, across] = profile.at(depth);
         hydrostatic(&[along, across, 0.0, 0.0, 0.0, 0.0])
     };
-    let depths = || (0..=DEPTHS).map(|k| STEP * k as f64 * half_width).collect::<Vec<_>>();
-    let found = Fatigue::of(&passing, 0.0, strength, depths(), initial, stop)?;
-    let Some(elastic) = elastic(step, problem, (material, strength), depths(), stop)? else {
-        return Ok(Some(found));
-    };
-    Ok(Some(found.beside(&elastic)))
+    // Three half-widths, in steps of a cell.
+    let depths = (0..=3 * CELLS).map(|k| k as f64 * half_width / CELLS as f64).collect();
+    let found = Fatigue::of(&passing, 0.0, strength, depths, initial, stop)?;
+    found.beside(hertz(step, problem, material).as_ref(), 0.0, strength, stop).map(Some)
 }
 
-/// The fatigue under Hertz's contact of the same force.
-fn elastic(
-    step: &StepSolution,
-    problem: &Problem,
-    (material, strength): (&Solid, &FatigueStrength),
-    depths: Vec<f64>,
-    stop: &mut Stop<'_>,
-) -> Result<Option<Fatigue>, Stopped> {
-    let Some(hertz) = ElasticReference::of(problem, step.figures.force) else { return Ok(None) };
+/// Hertz's contact of the same force.
+fn hertz(step: &StepSolution, problem: &Problem, material: &Solid) -> Option<Passing> {
+    let hertz = ElasticReference::of(problem, step.figures.force)?;
     let state = step.field.stress_state;
     let passing = if state == StressState::Axisymmetric {
         let poisson = material.elastic().poisson_ratio;
@@ -80,10 +69,7 @@ fn elastic(
     } else {
         Passing::hertz_line(hertz.half_width, STRIPS, out_of_plane(state, material))
     };
-    let Some(passing) = passing.map(|passing| passing.times(hertz.peak_pressure)) else {
-        return Ok(None);
-    };
-    Fatigue::of(&passing, 0.0, strength, depths, |_, _| 0.0, stop).map(Some)
+    Some(passing?.times(hertz.peak_pressure))
 }
 
 /// The pressure of a load step in cells that carry its force, with half its width \[mm\].

@@ -49,7 +49,8 @@ impl EliminationOrder {
     }
 }
 
-const NONE: u32 = u32::MAX;
+/// End of a list.
+pub(crate) const NONE: u32 = u32::MAX;
 
 fn positions(node_at: &[u32]) -> Vec<u32> {
     let mut position = vec![0u32; node_at.len()];

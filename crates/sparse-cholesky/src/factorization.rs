@@ -15,13 +15,12 @@ use std::mem;
 use std::ops::ControlFlow;
 
 use super::FactorizationError;
+use super::elimination::NONE;
 use super::panel::{PanelWorkspace, Update};
 use super::symbolic::SymbolicCholesky;
 
 /// Multiplications between two checkpoints; some milliseconds.
 const WORK_BETWEEN_CHECKPOINTS: usize = 1 << 28;
-/// End of a list.
-const NONE: u32 = u32::MAX;
 
 /// Factorizes the matrix with the given lower-triangle values into `factor`.
 ///

@@ -28,13 +28,16 @@ pub(super) fn describe(body: &Body, job: &Job) -> Vec<String> {
 fn describe_material(material: &Deformable, job: &Job) -> Vec<String> {
     let units = job.units;
     let stress = |value: f64| short(units.to_wire(Quantity::Stress, value));
-    let elastic = material.elastic();
+    let elastic = &material.elastic;
     let mut items = vec![
         format!("E {}", stress(elastic.young_modulus.get())),
         format!("ν {}", short(elastic.poisson_ratio.get())),
     ];
     items.extend(
-        material.plasticity().map(|law| describe_fields(law.table().label, law.values(), units)),
+        material
+            .plasticity
+            .as_ref()
+            .map(|law| describe_fields(law.table().label, law.values(), units)),
     );
     if let Some(strength) = material.strength() {
         let (least, greatest) = strength.range();
@@ -44,7 +47,7 @@ fn describe_material(material: &Deformable, job: &Job) -> Vec<String> {
             significant(greatest, 3)
         ));
     }
-    let initial = material.initial_stress().iter().map(|row| row.sigma_x);
+    let initial = material.initial_stress.iter().map(|row| row.sigma_x);
     if let Some((least, greatest)) =
         initial.map(|x| (x, x)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
     {

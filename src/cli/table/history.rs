@@ -2,12 +2,9 @@
 //! that is divided.
 
 use super::number::significant;
+use super::text::folded;
 use crate::cli::style::Style;
 use crate::jobs::IterationRecord;
-
-/// Longest table that is shown whole, and how much of a longer one is shown at each end.
-const WHOLE: usize = 12;
-const ENDS: usize = 5;
 
 /// The history, its middle left out when it is long.
 pub(super) fn history(records: &[IterationRecord], style: Style) -> String {
@@ -32,22 +29,15 @@ pub(super) fn history(records: &[IterationRecord], style: Style) -> String {
         "approach",
         "peak"
     );
-    let mut text = format!("{}\n", style.dim(&head));
-    let left_out = if lines.len() > WHOLE { lines.len() - 2 * ENDS } else { 0 };
-    for (index, line) in lines.iter().enumerate() {
-        if left_out > 0 && index == ENDS {
-            text.push_str(&style.dim(&format!("   … {left_out} more\n")));
-        }
-        let Some(last) = line.last() else { continue };
-        if left_out == 0 || index < ENDS || index >= ENDS + left_out {
-            let (number, count) = match &last.increment {
-                Some(increment) if is_divided => (increment.number, line.len()),
-                _ => (last.iteration, last.contact_pivots),
-            };
-            text.push_str(&row([number, count], line, last));
-        }
-    }
-    text
+    let shown = |index: usize| {
+        let Some(last) = lines[index].last() else { return String::new() };
+        let numbers = match &last.increment {
+            Some(increment) if is_divided => [increment.number, lines[index].len()],
+            _ => [last.iteration, last.contact_pivots],
+        };
+        row(numbers, lines[index], last)
+    };
+    format!("{}\n", style.dim(&head)) + &folded(lines.len(), style, shown)
 }
 
 /// The work of these iterations, and the state after the last of them.

@@ -1,17 +1,14 @@
 //! The passes of a load that rolls as a table, its middle left out when it is long.
 
 use super::number::significant;
+use super::text::folded;
 use crate::cli::style::Style;
 use brinell_solver::job::Named as _;
 use brinell_solver::report::{Name, PassesReport};
 
-/// Longest table that is shown whole, and how much of a longer one is shown at each end.
-const WHOLE: usize = 14;
-const ENDS: usize = 6;
-
 /// The passes, with the figures of the body that yields more.
 pub(super) fn passes(passes: &PassesReport, length: &str, stress: &str, style: Style) -> String {
-    let mut text = style.dim(&format!(
+    let head = style.dim(&format!(
         "{:>4} {:>5} {:>10} {:>10} {:>11} {:>11} {:>9} {:>10}\n",
         "pass",
         "iter",
@@ -22,17 +19,7 @@ pub(super) fn passes(passes: &PassesReport, length: &str, stress: &str, style: S
         format!("peak {stress}"),
         "resistance"
     ));
-    let count = passes.number.len();
-    let left_out = if count > WHOLE { count - 2 * ENDS } else { 0 };
-    for index in 0..count {
-        if left_out > 0 && index == ENDS {
-            text.push_str(&style.dim(&format!("   … {left_out} more\n")));
-        }
-        if left_out == 0 || index < ENDS || index >= ENDS + left_out {
-            text.push_str(&row(passes, index));
-        }
-    }
-    text
+    head + &folded(passes.number.len(), style, |index| row(passes, index))
 }
 
 fn row(passes: &PassesReport, index: usize) -> String {

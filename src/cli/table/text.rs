@@ -1,9 +1,27 @@
 //! Units, words and lines of a table.
 
+use crate::cli::style::Style;
 use brinell_solver::job::{Analysis, Job, Quantity};
 
 /// Widest line.
 pub(super) const WIDTH: usize = 80;
+/// How much of a long table is shown at each end.
+const ENDS: usize = 5;
+
+/// Lines of a table, its middle left out when it is long.
+pub(super) fn folded(count: usize, style: Style, line: impl Fn(usize) -> String) -> String {
+    let left_out = if count > 2 * ENDS + 2 { ENDS..count - ENDS } else { 0..0 };
+    let shown = (0..count).filter(|index| !left_out.contains(index));
+    let with_note = |index| {
+        let note = if index > 0 && index == left_out.end {
+            style.dim(&format!("   … {} more\n", left_out.len()))
+        } else {
+            String::new()
+        };
+        note + &line(index)
+    };
+    shown.map(with_note).collect()
+}
 
 /// How units and figures are written, which depends on whether the bodies are turned about an
 /// axis.

@@ -67,7 +67,7 @@ pub fn document() -> Value {
         schemas["Report"]["properties"][key] = json!({"$ref": format!("{BASE}{schema}")});
     }
     for (name, words, description) in [
-        ("JobState", JobState::ALL.map(JobState::name).to_vec(), JOB_STATES),
+        ("JobState", words::<JobState>(), JOB_STATES),
         ("SolveStatus", words::<SolveStatus>(), SOLVE_STATUS),
         ("VerdictLevel", words::<report::VerdictLevel>(), VERDICT_LEVELS),
         ("AnswerQuantity", words::<report::Quantity>(), ANSWER_QUANTITIES),

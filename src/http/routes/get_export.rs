@@ -7,6 +7,7 @@
 use axum::extract::State;
 use axum::response::Response;
 use axum::routing::get;
+use brinell_solver::job::Named as _;
 use utoipa::IntoParams;
 use utoipa::openapi::extensions::ExtensionsBuilder;
 use utoipa::openapi::header::HeaderBuilder;
@@ -26,9 +27,9 @@ use crate::jobs::Export;
 
 /// One route for each form, declared as it is served.
 pub(in crate::http) fn exports() -> impl Iterator<Item = UtoipaMethodRouter<HttpState>> {
-    Export::ALL.into_iter().map(|form| {
+    Export::ALL.iter().map(|&form| {
         let mut paths = Paths::new();
-        let path = format!("/v1/jobs/{{id}}/{}", form.file_name());
+        let path = format!("/v1/jobs/{{id}}/{}", form.name());
         paths.add_path_operation(path, vec![HttpMethod::Get], operation(form));
         (
             Vec::new(),
@@ -100,7 +101,7 @@ fn operation(form: Export) -> Operation {
         )
         .content(media_type, Content::new(Some(text)));
     OperationBuilder::new()
-        .operation_id(Some(format!("get_{}", form.file_name().replace('.', "_"))))
+        .operation_id(Some(format!("get_{}", form.name().replace('.', "_"))))
         .tag("results")
         .summary(Some(summary))
         .parameters(Some(parameters))

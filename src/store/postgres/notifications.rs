@@ -29,11 +29,9 @@ const WAITING: usize = 4096;
 /// Time between two tries to listen.
 const RECONNECT_INTERVAL: Duration = Duration::from_secs(1);
 
-/// Time without a notification after which the server is asked for a sign of life.
+/// Time without a notification after which the server is asked for a sign of life, and the longest
+/// wait for an answer.
 const SILENCE: Duration = Duration::from_secs(10);
-
-/// Longest wait for an answer.
-const ANSWER_WAIT: Duration = Duration::from_secs(10);
 
 /// Announces changes to other processes, in the order of the calls.
 #[derive(Debug)]
@@ -70,7 +68,7 @@ async fn tell(pool: PgPool, node: WorkerId, mut changes: Receiver<Change>) {
              FROM unnest($1::text[], $2::text[]) AS t (channel, message)",
         );
         let notify = notify.bind(channels).bind(messages);
-        let error = match timeout(ANSWER_WAIT, notify.execute(&pool)).await {
+        let error = match timeout(SILENCE, notify.execute(&pool)).await {
             Ok(Ok(_)) => continue,
             Ok(Err(error)) => error.to_string(),
             Err(late) => late.to_string(),
@@ -139,7 +137,7 @@ async fn listen_once(
         loop {
             let Ok(received) = timeout(SILENCE, listener.try_recv()).await else {
                 // The line may be dead, which only an answer can tell.
-                let answered = timeout(ANSWER_WAIT, listener.execute("SELECT 1")).await;
+                let answered = timeout(SILENCE, listener.execute("SELECT 1")).await;
                 answered.map_err(|late| sqlx::Error::Io(late.into()))??;
                 continue;
             };

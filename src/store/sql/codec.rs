@@ -14,11 +14,9 @@ use thiserror::Error;
 
 use crate::jobs::{
     About, Deflated, FailureKind, FieldError, IterationRecord, JobFailure, JobId, JobRecord,
-    JobState, KeyId, NumberedIteration, StoreError,
+    JobState, KeyId, NumberedIteration, StoreError, UNPACKED_LIMIT,
 };
-
-/// Largest size \[bytes\] of an unpacked text; a damaged row could claim any.
-const UNPACKED_LIMIT: u64 = 1 << 30;
+use brinell_solver::job::Named as _;
 
 /// An error for a row that no version of this program can have written.
 #[derive(Debug, Error)]
@@ -91,7 +89,7 @@ pub(super) fn job_record(row: JobRow) -> Result<JobRecord, StoreError> {
 }
 
 pub(super) fn state_named(name: &str) -> Result<JobState, StoreError> {
-    JobState::by_name(name).ok_or_else(|| damaged(format!("state {name:?}")))
+    JobState::of_word(name).ok_or_else(|| damaged(format!("state {name:?}")))
 }
 
 /// Converts a column that cannot be negative or too large.

@@ -8,6 +8,7 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 use super::claiming::until;
 use super::codec::{count, damaged, time};
 use crate::jobs::{Callback, CallbackState, Delivery, DeliveryEnd, JobId, KeyId, StoreError};
+use brinell_solver::job::Named as _;
 
 pub(super) const ADD: &str = "INSERT INTO deliveries (job, id, url) VALUES ($1, $2, $3)";
 const SCHEDULE: &str =
@@ -57,7 +58,7 @@ fn callback(
 ) -> Result<Callback, StoreError> {
     Ok(Callback {
         id,
-        state: CallbackState::by_name(&state)
+        state: CallbackState::of_word(&state)
             .ok_or_else(|| damaged(format!("state {state:?}")))?,
         attempts: count(attempts)?,
         next_attempt_at: due.map(time).transpose()?,

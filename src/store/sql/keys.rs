@@ -6,6 +6,7 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::codec::{count, damaged, time};
 use crate::jobs::{ApiKey, KeyId, KeyLimits, PreviousSecret, Scope, StoreError};
+use brinell_solver::job::Named as _;
 
 const ADD: &str = "INSERT INTO api_keys (id, name, scope, digest, created_at, expires_at,
          max_queued, max_running, max_stored, max_priority)
@@ -64,7 +65,7 @@ fn api_key(row: KeyRow) -> Result<ApiKey, StoreError> {
     Ok(ApiKey {
         id: KeyId::from(id),
         name,
-        scope: Scope::by_name(&scope).ok_or_else(|| damaged(format!("scope {scope:?}")))?,
+        scope: Scope::of_word(&scope).ok_or_else(|| damaged(format!("scope {scope:?}")))?,
         digest: digest_of(digest)?,
         previous,
         limits: key_limits((queued, running, bytes, priority))?,

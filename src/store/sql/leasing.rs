@@ -12,6 +12,7 @@ use crate::jobs::{
     HISTORY_PAGE, IterationRecord, JobId, Lease, LeaseStatus, NumberedIteration, Outcome,
     StepResult, StoreError, WorkerId,
 };
+use brinell_solver::job::Named as _;
 
 /// The job whose lease holds.
 macro_rules! held {

@@ -12,6 +12,7 @@ use sqlx::types::Uuid;
 use super::codec::{JobRow, job_columns, job_record};
 use super::message::{Messages, Value};
 use crate::jobs::{JobFilter, JobId, JobPage, JobRecord, KeyId, StoreError};
+use brinell_solver::job::Named as _;
 
 /// Most jobs of a source that are looked up for a page: each takes 2 to 4 µs of the database.
 const LOOKED_UP: usize = 5000;

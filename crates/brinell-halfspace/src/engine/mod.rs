@@ -6,3 +6,10 @@
 pub mod half_spaces;
 pub mod rolling;
 mod watch;
+
+/// Part of the cells that flows, for the memory of a solve: one of so many.
+const FLOWING: usize = 4;
+
+/// Largest violation of a contact condition that the contact solver leaves: half of what the check
+/// lets pass.
+const CONTACT_TOLERANCE: f64 = 5e-9;

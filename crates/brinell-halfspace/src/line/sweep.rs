@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use crate::eigenstrain_stress::coefficients_of;
+use crate::eigenstrain_stress::{COEFFICIENTS, coefficients_of};
 use crate::track::Ground;
 use crate::waves::WIDTH;
 
@@ -22,8 +22,6 @@ pub(super) const ROWS: usize = 3;
 pub(super) const PLANES: usize = 2;
 /// Numbers of a layer that are kept between the sweeps.
 const KEPT: usize = 7;
-/// e, al, be, I0/h, I1/h.
-const COEFFICIENTS: usize = 5;
 
 type Lanes = [f64; WIDTH];
 

@@ -102,8 +102,9 @@ impl TrackFault {
 /// groove is then about as deep as small strains allow.
 pub const DEEPEST: f64 = 8.0;
 
-/// Strain of the last layer over the largest one below which the layers go deep enough. A curve
-/// without an elastic limit flows everywhere.
+/// Strain of the last layer over the largest one below which the layers go deep enough (a curve
+/// without an elastic limit flows everywhere), and of a pass over the strain at yield below which
+/// nothing is left to happen.
 pub(super) const NOTHING: f64 = 1e-3;
 
 /// Part of the flow far from the load below which a track is long enough. Sound passes have up to

@@ -15,6 +15,7 @@
 //!
 //! Three neighbouring passes would not do: transients of six to eight passes look geometric.
 
+use super::fault::NOTHING;
 use super::figures::PassStrain;
 
 /// Passes without which only the largest strains can say anything.
@@ -23,8 +24,6 @@ const LEAST_PASSES: usize = 8;
 const APART: usize = 3;
 /// Passes that have to agree.
 const RUNNING: usize = 3;
-/// Strain of a pass over the strain at yield below which nothing is left to happen.
-const NOTHING: f64 = 1e-3;
 /// Ratio of a figure and the one before below which it falls.
 const FALLS: f64 = 0.9;
 /// Limit of a falling figure over the figure below which the limit is zero.

@@ -28,16 +28,6 @@ impl YieldOnset {
         Self::of(|depth| hertz.stress_on_axis(depth, poisson_ratio).von_mises())
     }
 
-    /// Line contact in plane strain, Tresca criterion `τ_max = σ_y / 2`.
-    ///
-    /// `p0/σ_y` = 1.665 at 0.786 a for every ν above 0.242. Below, the out-of-plane stress is no
-    /// longer the middle one where it matters, and yield begins earlier and higher up (1.514 at
-    /// 0.322 a for ν = 0.2).
-    pub fn line_tresca(poisson_ratio: f64) -> Self {
-        let hertz = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
-        Self::of(|depth| 2.0 * hertz.stress_on_axis(depth, poisson_ratio).tau_max())
-    }
-
     /// Point contact. Two of the principal stresses are equal on the axis, so von Mises and Tresca
     /// coincide.
     ///
@@ -155,13 +145,6 @@ mod tests {
         assert!((YieldOnset::line_von_mises(0.3).depth_ratio - 0.704).abs() < 5e-4);
     }
 
-    #[test]
-    fn line_contact_tresca() {
-        let onset = YieldOnset::line_tresca(0.3);
-        assert!((onset.pressure_ratio - 1.665).abs() < 5e-4);
-        assert!((onset.depth_ratio - 0.786).abs() < 5e-4);
-    }
-
     /// Two steel cylinders, R 10 mm, `σ_y = 350 MPa`.
     #[test]
     fn force_at_first_yield() {
@@ -194,12 +177,6 @@ mod tests {
         assert!(onset.depth_ratio <= 0.0 && (onset.pressure_ratio - 1.25).abs() < 1e-12);
         assert!(YieldOnset::line_von_mises(0.193).depth_ratio <= 0.0);
         assert!(YieldOnset::line_von_mises(0.195).depth_ratio > 0.57);
-        let tresca = YieldOnset::line_tresca(0.2);
-        assert!(
-            (tresca.pressure_ratio - 1.514).abs() < 5e-4
-                && (tresca.depth_ratio - 0.322).abs() < 5e-4
-        );
-        assert!((YieldOnset::line_tresca(0.243).depth_ratio - 0.786).abs() < 5e-4);
     }
 
     #[test]

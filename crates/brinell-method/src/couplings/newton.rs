@@ -30,10 +30,9 @@ use brinell_material::ReferenceModuli;
 
 /// Steps at most. Each costs a factorization.
 const MAX_STEPS: usize = 60;
-/// Part of the first slope of the potential that may be left at the end of a step.
+/// Part of the first slope of the potential that may be left at the end of a step, and of the last
+/// out-of-balance force where a step is to be taken as it is.
 const SLOPE_LEFT: f64 = 0.5;
-/// Part of the last out-of-balance force that a step must leave at most to be taken as it is.
-const PROGRESS: f64 = 0.5;
 /// Points tried along a step.
 const MAX_TRIALS: usize = 10;
 /// The farthest a step is extended.
@@ -184,8 +183,8 @@ impl Point {
         let (mut share, mut reached) = (1.0, whole);
         // Near convergence the slopes are differences of nearly equal numbers; the residual is
         // more accurate.
-        let gets_on =
-            residual_norm <= PROGRESS * std::mem::replace(&mut self.residual_norm, residual_norm);
+        let gets_on = residual_norm
+            <= SLOPE_LEFT * std::mem::replace(&mut self.residual_norm, residual_norm);
         let (first, last) = if gets_on || first >= 0.0 { (0.0, 0.0) } else { (first, last) };
         let at = |share: f64, iteration: &mut Iteration<'_>| {
             let mut trial = self.displacement.clone();

@@ -19,7 +19,6 @@ use crate::phases::Phase;
 
 const FIRST_FACTOR: f64 = 0.3;
 const SMALLEST_FACTOR: f64 = 0.02;
-const LARGEST_FACTOR: f64 = 1.0;
 /// Initial-stress updates of all alternations at most. Five yield stresses take about 400.
 const MAX_UPDATES: usize = 1500;
 /// Initial-stress updates within one alternation at most.
@@ -162,8 +161,7 @@ impl Aitken {
                 square += (new - old).powi(2);
             }
             if square > 0.0 {
-                self.factor =
-                    (-self.factor * product / square).clamp(SMALLEST_FACTOR, LARGEST_FACTOR);
+                self.factor = (-self.factor * product / square).clamp(SMALLEST_FACTOR, 1.0);
             }
         }
         for (value, r) in self.value.iter_mut().zip(&residual) {

@@ -85,7 +85,7 @@ fn rollers(job: &Job) -> Vec<RollerGap> {
     let bodies = [&job.upper, &job.lower];
     let compliance = |body: &Body| match &body.material {
         Material::Rigid => 0.0,
-        Material::Deformable(material) => material.elastic().plane_strain_modulus().recip(),
+        Material::Deformable(material) => material.elastic.plane_strain_modulus().recip(),
     };
     let modulus = bodies.map(compliance).iter().sum::<f64>().recip();
     let roller = |body: &&Body| match &body.shape {

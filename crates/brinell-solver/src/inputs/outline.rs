@@ -1,7 +1,10 @@
 //! The outlines of the shapes of a job.
 
 use crate::fem::mesh::{FarBoundary, Outline};
-use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape, Sphere};
+use crate::job::{
+    Block, Cone, Cylinder, Ellipse, Groove, Interpolation, Parabola, Power, Profile, Punch, Shape,
+    Sphere, Wedge,
+};
 
 /// Outline of a shape.
 pub fn outline_of(shape: &Shape) -> Outline {
@@ -10,46 +13,35 @@ pub fn outline_of(shape: &Shape) -> Outline {
             Outline::arc(radius.get().recip(), radius.get(), radius.get())
         }
         Shape::Block(Block { width, depth }) => Outline::arc(0.0, 0.5 * width.get(), depth.get()),
-        Shape::Groove(groove) => Outline::arc(
-            -groove.radius().get().recip(),
-            0.5 * groove.width().get(),
-            groove.depth().get(),
-        ),
+        Shape::Groove(Groove { radius, width, depth }) => {
+            Outline::arc(-radius.get().recip(), 0.5 * width.get(), depth.get())
+        }
         Shape::Hole(hole) => {
-            let radius = hole.radius().get();
+            let radius = hole.radius.get();
             Outline::arc(-radius.recip(), radius, hole.wall())
         }
-        Shape::Profile(profile) => {
-            let is_smooth = profile.interpolation() != Some(Interpolation::Linear);
-            Outline::through(profile.points(), is_smooth, profile.depth().get())
+        Shape::Profile(Profile { points, depth, interpolation }) => {
+            let is_smooth = *interpolation != Some(Interpolation::Linear);
+            Outline::through(points, is_smooth, depth.get())
         }
-        Shape::Wedge(wedge) => Outline::wedge(
-            wedge.slope(),
-            wedge.tip_radius(),
-            wedge.width().get(),
-            wedge.depth().get(),
-        ),
-        Shape::Cone(cone) => {
-            Outline::wedge(cone.slope(), cone.tip_radius(), cone.width().get(), cone.depth().get())
+        Shape::Wedge(Wedge { angle, tip_radius, width, depth })
+        | Shape::Cone(Cone { angle, tip_radius, width, depth }) => {
+            let (slope, tip) = (angle.get().to_radians().tan(), tip_radius.map_or(0.0, f64::from));
+            Outline::wedge(slope, tip, width.get(), depth.get())
         }
-        Shape::Punch(punch) => {
-            Outline::punch(0.5 * punch.width().get(), punch.edge_radius(), punch.depth().get())
+        Shape::Punch(Punch { width, edge_radius, depth }) => {
+            let edge = edge_radius.map_or(0.0, f64::from);
+            Outline::punch(0.5 * width.get(), edge, depth.get())
         }
-        Shape::Parabola(parabola) => Outline::power(
-            2.0,
-            2.0 * parabola.radius().get(),
-            parabola.width().get(),
-            parabola.depth().get(),
-        ),
+        Shape::Parabola(Parabola { radius, width, depth }) => {
+            Outline::power(2.0, 2.0 * radius.get(), width.get(), depth.get())
+        }
         Shape::Ellipse(Ellipse { semi_axis_x, semi_axis_y }) => {
             Outline::ellipse([semi_axis_x.get(), semi_axis_y.get()])
         }
-        Shape::Power(power) => Outline::power(
-            power.exponent(),
-            power.scale().get(),
-            power.width().get(),
-            power.depth().get(),
-        ),
+        Shape::Power(Power { exponent, scale, width, depth }) => {
+            Outline::power(*exponent, scale.get(), width.get(), depth.get())
+        }
         // The section along x of a half-space, which no analysis meshes.
         Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_) => {
             let [curvature, ..] = shape.curvatures().unwrap_or_default();
@@ -62,14 +54,14 @@ pub fn outline_of(shape: &Shape) -> Outline {
 pub(crate) fn outlines_of(shapes: [&Shape; 2]) -> [Outline; 2] {
     let outlines = shapes.map(outline_of);
     let radius = |shape: &Shape| match shape {
-        Shape::Hole(hole) => Some(-hole.radius().get()),
+        Shape::Hole(hole) => Some(-hole.radius.get()),
         shape => shape.round_radius(),
     };
     let held = shapes.into_iter().find_map(|shape| match shape {
-        Shape::Hole(hole) => Some(match hole.edge() {
-            OuterEdge::Circle(radius) => FarBoundary::Circle(radius.get()),
-            OuterEdge::Square(width) => FarBoundary::Square(0.5 * width.get()),
-        }),
+        Shape::Hole(hole) => {
+            let square = hole.width.map(|width| FarBoundary::Square(0.5 * width.get()));
+            square.or(hole.outer_radius.map(|radius| FarBoundary::Circle(radius.get())))
+        }
         _ => None,
     });
     match (shapes.map(radius), held) {

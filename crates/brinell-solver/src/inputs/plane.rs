@@ -51,7 +51,7 @@ fn given(body: &Body, outline: Outline) -> GivenBody {
         support: support(body.support),
         interpolation_is_open: matches!(
             &body.shape,
-            Shape::Profile(profile) if profile.interpolation().is_none()
+            Shape::Profile(profile) if profile.interpolation.is_none()
         ),
     }
 }

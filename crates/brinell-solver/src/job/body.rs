@@ -29,7 +29,7 @@ impl Body {
     pub fn young_modulus(&self) -> Option<f64> {
         match &self.material {
             Material::Rigid => None,
-            Material::Deformable(material) => Some(material.elastic().young_modulus.get()),
+            Material::Deformable(material) => Some(material.elastic.young_modulus.get()),
         }
     }
 

@@ -89,7 +89,7 @@ impl Job {
     pub(super) fn has_plasticity(&self) -> bool {
         let bodies = [&self.upper, &self.lower];
         bodies.iter().any(
-            |body| matches!(&body.material, Material::Deformable(of) if of.plasticity().is_some()),
+            |body| matches!(&body.material, Material::Deformable(of) if of.plasticity.is_some()),
         )
     }
 
@@ -115,7 +115,7 @@ impl Job {
     pub fn fatigue(&self, side: Side) -> Option<FatigueLimits> {
         let body = if side == Side::Upper { &self.upper } else { &self.lower };
         match &body.material {
-            Material::Deformable(material) => material.fatigue(),
+            Material::Deformable(material) => material.fatigue,
             Material::Rigid => None,
         }
     }

@@ -10,7 +10,7 @@ use super::fields::{Field, Known, read_record_of, record};
 use super::reader::Cursor;
 use super::{
     Body, Cone, Deformable, Domain, Elastic, FarSupport, FaultCode, FieldError, Material,
-    MeshSettings, Named, PoissonRatio, PositiveF64, Profile, Shape, SolverSettings, Units,
+    MeshSettings, Named, PoissonRatio, PositiveF64, Profile, SolverSettings, Units,
 };
 
 /// Standard gravity \[N/kgf\].
@@ -297,7 +297,7 @@ impl HardnessTest {
 
     /// Returns the indenter for a specimen of this material.
     pub(super) fn indenter(&self, specimen: &Material) -> Option<Body> {
-        let material = Deformable::new(self.elastic()?, None).ok()?;
+        let material = Deformable::new(self.elastic()?, None);
         let length = |value: f64| PositiveF64::new(value).ok();
         let shape = match self.angle() {
             None => ball(self.radius())?.into(),
@@ -306,9 +306,9 @@ impl HardnessTest {
                     TestScale::Hrc => 10.0 * ROCKWELL_TIP,
                     _ => 20.0 * self.expected_radius(specimen).max(self.radius()),
                 };
-                let tip = Some(length(self.radius())?);
-                let (width, depth) = (length(2.0 * half)?, length(2.0 * half)?);
-                Shape::from(Cone::new(length(angle)?, tip, width, depth).ok()?)
+                let (angle, tip_radius) = (length(angle)?, Some(length(self.radius())?));
+                let width = length(2.0 * half)?;
+                Cone { angle, tip_radius, width, depth: width }.into()
             }
         };
         Some(Body {
@@ -326,8 +326,8 @@ impl HardnessTest {
         let (Material::Deformable(specimen), Some(indenter)) = (specimen, self.elastic()) else {
             return 0.0;
         };
-        let compliance = 1.0 / specimen.elastic().plane_strain_modulus()
-            + 1.0 / indenter.plane_strain_modulus();
+        let compliance =
+            1.0 / specimen.elastic.plane_strain_modulus() + 1.0 / indenter.plane_strain_modulus();
         let elastic = 0.5 * self.slope().unwrap_or_default() / compliance;
         let plastic = specimen.hardening_law().map(|law| 2.8 * law.stress(0.08));
         let pressure = plastic.map_or(elastic, |plastic| plastic.min(elastic));
@@ -360,7 +360,8 @@ fn ball(radius: f64) -> Option<Profile> {
         step *= 1.3;
         points.push([x, height]);
     }
-    Profile::new(points, PositiveF64::new(4.0 * radius).ok()?).ok()
+    let depth = PositiveF64::new(4.0 * radius).ok()?;
+    Some(Profile { points, depth, interpolation: None })
 }
 
 /// Settings of the solver for a test that gives none.

@@ -1,7 +1,7 @@
 //! Initial stress of a body: from grinding, peening or hardening.
 
 use super::fields::{Field, FieldTable, Record as _, read_record, record};
-use super::over_depth::faults_of_depths;
+use super::over_depth::{OverDepth, faults_of_depths};
 use super::reader::Cursor;
 use super::reader::text::five_digits;
 use super::{Analysis, Domain, FaultCode, FieldError, NonNegativeF64, Units};
@@ -26,16 +26,13 @@ record! {
 impl InitialStress {
     /// The key of the initial stress in a material.
     pub const KEY: &'static str = "initial_stress";
-    /// Largest number of depths.
-    pub const MAX_POINTS: usize = 1000;
-
     /// Returns the fields of a row, for the schema and the form.
     pub const fn table() -> FieldTable {
         Self::TABLE
     }
 
     pub(super) fn read_all(cursor: Cursor<'_>, units: Option<Units>) -> Option<Vec<Self>> {
-        cursor.array(1..=Self::MAX_POINTS, |item| {
+        cursor.array(1..=OverDepth::MAX_POINTS, |item| {
             read_record(&item.object()?, None, units, None, &[])
         })
     }

@@ -46,15 +46,21 @@ impl Material {
     }
 }
 
-/// Elastic constants and an optional hardening curve that is valid with these constants.
+/// An isotropic body: elastic constants and, where it can yield, a hardening curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deformable {
-    elastic: Elastic,
-    plasticity: Option<Hardening>,
-    backstress: Vec<BackstressTerm>,
-    over_depth: Option<OverDepth>,
-    initial_stress: Vec<InitialStress>,
-    fatigue: Option<FatigueLimits>,
+    /// Elastic constants.
+    pub elastic: Elastic,
+    /// The hardening law; `None` of a body that stays elastic.
+    pub plasticity: Option<Hardening>,
+    /// Terms of the backstress, for flow theory; none without a hardening law.
+    pub backstress: Vec<BackstressTerm>,
+    /// How the stresses of the law vary with the depth.
+    pub over_depth: Option<OverDepth>,
+    /// Stress before the load by depth; empty if there is none.
+    pub initial_stress: Vec<InitialStress>,
+    /// Limits of fatigue.
+    pub fatigue: Option<FatigueLimits>,
 }
 
 impl Deformable {
@@ -68,71 +74,40 @@ impl Deformable {
         "rigid",
     ];
 
-    /// Builds the material if the curve is valid with the constants: `E_t < E` (bilinear), an
-    /// exponent in range (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
-    ///
-    /// # Errors
-    /// Every fault, with a pointer relative to the material, e.g. `/plasticity/tangent_modulus`.
-    pub fn new(elastic: Elastic, plasticity: Option<Hardening>) -> Result<Self, Vec<FieldError>> {
-        let beside = [("young_modulus", elastic.young_modulus.get())];
-        let mut faults = plasticity.as_ref().map_or_else(Vec::new, |curve| curve.faults(&beside));
-        if faults.is_empty() {
-            return Ok(Self {
-                elastic,
-                plasticity,
-                backstress: Vec::new(),
-                over_depth: None,
-                initial_stress: Vec::new(),
-                fatigue: None,
-            });
+    /// Returns a material that is the same at all depths, without stress before the load and
+    /// without limits of fatigue.
+    pub fn new(elastic: Elastic, plasticity: Option<Hardening>) -> Self {
+        Self {
+            elastic,
+            plasticity,
+            backstress: Vec::new(),
+            over_depth: None,
+            initial_stress: Vec::new(),
+            fatigue: None,
         }
-        for fault in &mut faults {
-            fault.pointer.insert_str(0, "/plasticity");
-        }
-        Err(faults)
     }
 
-    /// Returns the elastic constants.
-    pub fn elastic(&self) -> &Elastic {
-        &self.elastic
-    }
-
-    /// Returns the hardening law of the job; `None` for a purely elastic material.
-    pub fn plasticity(&self) -> Option<&Hardening> {
-        self.plasticity.as_ref()
+    /// Returns the faults of initial stress and fatigue limits beside the other figures, with
+    /// pointers relative to the material.
+    fn faults(&self) -> Vec<FieldError> {
+        let (law, strength) = (self.hardening_law(), self.strength());
+        let of_stress =
+            InitialStress::faults(&self.initial_stress, law.as_deref(), strength.as_ref());
+        let of_fatigue = self.fatigue.and_then(|limits| limits.fault(self.over_depth.as_ref()));
+        let at = |key: &'static str| {
+            move |fault: FieldError| FieldError {
+                pointer: format!("/{key}{}", fault.pointer),
+                ..fault
+            }
+        };
+        let of_stress = of_stress.into_iter().map(at(InitialStress::KEY));
+        of_stress.chain(of_fatigue.map(at(FatigueLimits::KEY))).collect()
     }
 
     /// Returns the hardening curve; `None` for a purely elastic material.
     pub fn hardening_law(&self) -> Option<Arc<dyn HardeningLaw>> {
         let young_modulus = self.elastic.young_modulus.get();
         self.plasticity.as_ref().map(|law| law.curve(young_modulus))
-    }
-
-    /// Returns the backstress terms, for flow theory.
-    pub fn backstress(&self) -> &[BackstressTerm] {
-        &self.backstress
-    }
-
-    /// Returns the material with backstress terms: at most [`BackstressTerm::MAX_TERMS`], and none
-    /// without a hardening curve.
-    #[must_use]
-    pub fn with_backstress(mut self, mut terms: Vec<BackstressTerm>) -> Self {
-        terms.truncate(if self.plasticity.is_some() { BackstressTerm::MAX_TERMS } else { 0 });
-        self.backstress = terms;
-        self
-    }
-
-    /// Returns the strength over depth; `None` if the job gives none.
-    pub fn over_depth(&self) -> Option<&OverDepth> {
-        self.over_depth.as_ref()
-    }
-
-    /// Returns the material with a strength over depth, which a material without a hardening curve
-    /// ignores.
-    #[must_use]
-    pub fn with_over_depth(mut self, over_depth: OverDepth) -> Self {
-        self.over_depth = self.plasticity.is_some().then_some(over_depth);
-        self
     }
 
     /// Returns the factors of the hardening curve over depth; `None` if the curve is the same
@@ -143,56 +118,9 @@ impl Deformable {
         (profile.range() != (1.0, 1.0)).then_some(profile)
     }
 
-    /// Returns the initial stress by depth; empty if there is none.
-    pub fn initial_stress(&self) -> &[InitialStress] {
-        &self.initial_stress
-    }
-
     /// Returns the initial stress over depth.
     pub fn initial_stress_profile(&self) -> InitialStressProfile {
         InitialStress::profile(&self.initial_stress)
-    }
-
-    /// Returns the material with an initial stress by depth; none if `rows` is empty.
-    ///
-    /// # Errors
-    /// Depths that do not rise, stress beyond yield, with a pointer relative to the material.
-    pub fn with_initial_stress(
-        mut self,
-        rows: Vec<InitialStress>,
-    ) -> Result<Self, Vec<FieldError>> {
-        let mut faults = InitialStress::faults(
-            &rows,
-            self.hardening_law().as_deref(),
-            self.strength().as_ref(),
-        );
-        if faults.is_empty() {
-            self.initial_stress = rows;
-            return Ok(self);
-        }
-        for fault in &mut faults {
-            fault.pointer.insert_str(0, "/initial_stress");
-        }
-        Err(faults)
-    }
-
-    /// Returns the limits of fatigue; `None` if the job gives none.
-    pub const fn fatigue(&self) -> Option<FatigueLimits> {
-        self.fatigue
-    }
-
-    /// Returns the material with limits of fatigue.
-    ///
-    /// # Errors
-    /// Limits from a hardness that the material does not have, with a pointer relative to the
-    /// material.
-    pub fn with_fatigue(mut self, fatigue: FatigueLimits) -> Result<Self, Vec<FieldError>> {
-        if let Some(mut fault) = fatigue.fault(self.over_depth()) {
-            fault.pointer.insert_str(0, &format!("/{}", FatigueLimits::KEY));
-            return Err(vec![fault]);
-        }
-        self.fatigue = Some(fatigue);
-        Ok(self)
     }
 
     fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
@@ -217,15 +145,16 @@ impl Deformable {
         let fatigue =
             object.or(FatigueLimits::KEY, None, |c| FatigueLimits::read(c, units).map(Some));
         let (law, terms, over_depth) = plasticity?;
-        let mut material = object.checked(Self::new(elastic?, law))?.with_backstress(terms);
-        if let Some(over_depth) = over_depth {
-            material = material.with_over_depth(over_depth);
-        }
-        let material = object.checked(material.with_initial_stress(initial_stress?))?;
-        match fatigue? {
-            Some(fatigue) => object.checked(material.with_fatigue(fatigue)),
-            None => Some(material),
-        }
+        let material = Self {
+            elastic: elastic?,
+            plasticity: law,
+            backstress: terms,
+            over_depth,
+            initial_stress: initial_stress?,
+            fatigue: fatigue?,
+        };
+        let faults = material.faults();
+        object.checked(if faults.is_empty() { Ok(material) } else { Err(faults) })
     }
 }
 
@@ -245,7 +174,8 @@ impl From<&Deformable> for Solid {
     fn from(material: &Deformable) -> Self {
         let elastic = Self::new(material.elastic.into())
             .with_initial_stress(material.initial_stress_profile());
-        let fatigue = material.fatigue.and_then(|limits| limits.strength(material.over_depth()));
+        let fatigue =
+            material.fatigue.and_then(|limits| limits.strength(material.over_depth.as_ref()));
         let elastic = match fatigue {
             Some(fatigue) => elastic.with_fatigue(fatigue),
             None => elastic,
@@ -322,7 +252,7 @@ impl Serialize for InUnits<'_, Material> {
                 write_record(&deformable.elastic, &mut map, self.1)?;
                 if let Some(curve) = &deformable.plasticity {
                     let plasticity =
-                        Plasticity(curve, &deformable.backstress, deformable.over_depth());
+                        Plasticity(curve, &deformable.backstress, deformable.over_depth.as_ref());
                     map.serialize_entry("plasticity", &InUnits(&plasticity, self.1))?;
                 }
                 if !deformable.initial_stress.is_empty() {
@@ -348,12 +278,9 @@ mod tests {
         PositiveF64::new(value).unwrap()
     }
 
-    fn faults_of(curve: Hardening) -> Vec<String> {
-        let poisson_ratio = PoissonRatio::new(0.3).unwrap();
-        let steel = Elastic { young_modulus: positive(210_000.0), poisson_ratio };
-        let built = Deformable::new(steel, Some(curve));
-        built
-            .map_or_else(|faults| faults.iter().map(ToString::to_string).collect(), |_| Vec::new())
+    fn faults_of(curve: &Hardening) -> Vec<String> {
+        let faults = curve.faults(&[("young_modulus", 210_000.0)]);
+        faults.iter().map(ToString::to_string).collect()
     }
 
     #[test]
@@ -373,28 +300,28 @@ mod tests {
                 tangent_modulus: super::super::NonNegativeF64::new(slope).unwrap(),
             })
         };
-        assert!(faults_of(bilinear(0.0)).is_empty());
-        assert!(faults_of(bilinear(209_999.0)).is_empty());
-        let expected = ["/plasticity/tangent_modulus: must be less than `young_modulus`"];
-        assert_eq!(faults_of(bilinear(210_000.0)), expected);
+        assert!(faults_of(&bilinear(0.0)).is_empty());
+        assert!(faults_of(&bilinear(209_999.0)).is_empty());
+        let expected = ["/tangent_modulus: must be less than `young_modulus`"];
+        assert_eq!(faults_of(&bilinear(210_000.0)), expected);
     }
 
     #[test]
     fn exponents_and_saturation_are_checked() {
         let (reference_stress, offset) = (positive(500.0), positive(0.3));
         let exponent = positive(0.9);
-        let faults = faults_of(Hardening::RambergOsgood(RambergOsgood {
+        let faults = faults_of(&Hardening::RambergOsgood(RambergOsgood {
             reference_stress,
             offset,
             exponent,
         }));
-        assert_eq!(faults, ["/plasticity/exponent: must be between 1 and 200"]);
+        assert_eq!(faults, ["/exponent: must be between 1 and 200"]);
         let (yield_stress, rate) = (positive(300.0), positive(10.0));
         let saturation_stress = positive(299.0);
-        let faults = faults_of(Hardening::Voce(Voce { yield_stress, saturation_stress, rate }));
-        assert_eq!(faults, ["/plasticity/saturation_stress: must be at least `yield_stress`"]);
+        let faults = faults_of(&Hardening::Voce(Voce { yield_stress, saturation_stress, rate }));
+        assert_eq!(faults, ["/saturation_stress: must be at least `yield_stress`"]);
         let (strain_offset, exponent) = (positive(0.01), positive(1.1));
-        let faults = faults_of(Hardening::Swift(Swift { yield_stress, strain_offset, exponent }));
-        assert_eq!(faults, ["/plasticity/exponent: must be between 0.001 and 1"]);
+        let faults = faults_of(&Hardening::Swift(Swift { yield_stress, strain_offset, exponent }));
+        assert_eq!(faults, ["/exponent: must be between 0.001 and 1"]);
     }
 }

@@ -76,8 +76,8 @@ pub use settings::{
     ContactMethod, Coupling, MeshSettings, Method, OutputSettings, SolverSettings, Theory,
 };
 pub use shape::{
-    Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, OuterEdge,
-    Parabola, Power, Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
+    Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, Parabola, Power,
+    Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
 };
 pub use surface::{Detrend, Surface};
 pub use target::{Target, TargetFigure, label_of, measure_of};

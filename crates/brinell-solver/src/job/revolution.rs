@@ -1,8 +1,7 @@
 //! The conditions of a shape on the analysis and on the material.
 
 use super::{
-    Analysis, Coupling, FieldError, InitialStress, Job, Material, OuterEdge, Profile, Shape,
-    Sphere,
+    Analysis, Coupling, FieldError, Hole, InitialStress, Job, Material, Profile, Shape, Sphere,
 };
 
 impl Job {
@@ -21,9 +20,7 @@ impl Job {
                 Shape::Wedge(_) if is_revolved => {
                     Some("\"wedge\" is a plane body; the one of revolution is \"cone\"")
                 }
-                Shape::Hole(hole)
-                    if is_revolved && matches!(hole.edge(), OuterEdge::Square(_)) =>
-                {
+                Shape::Hole(Hole { width: Some(_), .. }) if is_revolved => {
                     let detail =
                         "a square plate is no body of revolution; give `outer_radius` instead";
                     faults.push(FieldError::new(format!("/{side}/shape/width"), detail));
@@ -56,11 +53,11 @@ impl Job {
         for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
             let Material::Deformable(material) = &body.material else { continue };
             let key = format!("/{side}/material/{}", InitialStress::KEY);
-            for mut fault in InitialStress::faults_in(material.initial_stress(), self.analysis) {
+            for mut fault in InitialStress::faults_in(&material.initial_stress, self.analysis) {
                 fault.pointer.insert_str(0, &key);
                 faults.push(fault);
             }
-            if !material.initial_stress().is_empty()
+            if !material.initial_stress.is_empty()
                 && self.solver.coupling == Coupling::SecantStiffness
             {
                 let detail = "the secant stiffness has no place for a stress before the load; \
@@ -79,7 +76,7 @@ impl Job {
         for (k, (side, shape)) in sides.into_iter().enumerate() {
             let ((other, opposite), Shape::Hole(hole)) = (sides[1 - k], shape) else { continue };
             match opposite.round_radius() {
-                Some(radius) if radius < hole.radius().get() => {}
+                Some(radius) if radius < hole.radius.get() => {}
                 Some(_) => {
                     let detail = "must be greater than the radius of the cylinder in the hole: \
                                   contact without clearance is not solved";
@@ -119,7 +116,7 @@ impl Job {
 
 #[expect(clippy::float_cmp, reason = "a face is symmetric if its points are, to the last bit")]
 fn is_meridian(profile: &Profile) -> bool {
-    let points = profile.points();
+    let points = &profile.points;
     let starts_on_axis = points.first().is_some_and(|[x, _]| *x == 0.0);
     let ends_on_axis = points.last().is_some_and(|[x, _]| *x == 0.0);
     let mirrored =

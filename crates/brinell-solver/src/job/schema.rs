@@ -19,13 +19,16 @@ use super::{
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
 /// `#/components/schemas/`.
-pub fn schemas(base: &str) -> Vec<(&'static str, Value)> {
+pub fn schemas(base: &str) -> Vec<Part> {
     Schemas { base }.all()
 }
 
 struct Schemas<'a> {
     base: &'a str,
 }
+
+/// The name and the schema of a part of a job.
+type Part = (&'static str, Value);
 
 /// The name, the key, the description and the schema of a kind of load.
 type LoadSchema = (&'static str, &'static str, &'static str, Value);
@@ -37,40 +40,40 @@ struct Entry {
     required: bool,
 }
 
+const fn required(key: &'static str, schema: Value) -> Entry {
+    Entry { key, schema, required: true }
+}
+
+const fn optional(key: &'static str, schema: Value) -> Entry {
+    Entry { key, schema, required: false }
+}
+
 impl Schemas<'_> {
-    fn all(&self) -> Vec<(&'static str, Value)> {
+    fn all(&self) -> Vec<Part> {
         let mut all = vec![
             ("ContactJob", self.job()),
             ("ContactBody", self.body()),
-            (
+            words_of::<Analysis>(
                 "Analysis",
-                enumeration::<Analysis>(
-                    "Plane strain (long bodies), plane stress (thin discs), bodies of revolution \
-                     about the line of approach, or half-spaces in three dimensions.",
-                ),
+                "Plane strain (long bodies), plane stress (thin discs), bodies of revolution about \
+                 the line of approach, or half-spaces in three dimensions.",
             ),
-            (
+            words_of::<Units>(
                 "Units",
-                enumeration::<Units>(
-                    "Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.",
-                ),
+                "Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.",
             ),
-            (
+            words_of::<FarSupport>(
                 "Support",
-                enumeration::<FarSupport>(
-                    "How the far boundary (diametral plane, base) is held: both displacements, or \
-                     the normal one alone. Not in three dimensions.",
-                ),
+                "How the far boundary (diametral plane, base) is held: both displacements, or the \
+                 normal one alone. Not in three dimensions.",
             ),
-            (
+            words_of::<Interpolation>(
                 "Interpolation",
-                enumeration::<Interpolation>("What a face given by points is like between them."),
+                "What a face given by points is like between them.",
             ),
-            (
+            words_of::<RollerProfile>(
                 "RollerProfile",
-                enumeration::<RollerProfile>(
-                    "How the surface of a roller falls towards its ends.",
-                ),
+                "How the surface of a roller falls towards its ends.",
             ),
             ("Tags", tags_schema()),
             ("Shape", self.tagged("The undeformed outline of a body.", Shape::TAG, Shape::TABLES)),
@@ -83,7 +86,24 @@ impl Schemas<'_> {
                 ),
             ),
         ];
-        all.extend(words_of_settings());
+        all.extend([
+            words_of::<Method>(
+                "Method",
+                "A method by one word, which sets theory, coupling and contact method.",
+            ),
+            words_of::<Coupling>(
+                "Coupling",
+                "How the contact iteration and the plastic iteration alternate.",
+            ),
+            words_of::<Theory>(
+                "Theory",
+                "Theory of plasticity: stress as a function of the strain alone, or of its history.",
+            ),
+            words_of::<ContactMethod>(
+                "ContactMethod",
+                "The method that solves the contact conditions.",
+            ),
+        ]);
         all.extend(self.variants(Shape::TAG, Shape::TABLES));
         all.extend(self.variants(Hardening::TAG, Hardening::TABLES).map(|(name, mut law)| {
             law["properties"]["backstress"] = json!({
@@ -98,57 +118,36 @@ impl Schemas<'_> {
             );
             (name, law)
         }));
-        let term = BackstressTerm::TABLE;
-        let fields = BackstressTerm::TABLE.fields.iter().map(|field| self.entry(field, None));
-        all.push((term.name, object(term.description, fields.collect())));
+        all.push(self.record(&BackstressTerm::TABLE));
         all.extend(self.over_depth());
         all.extend(self.materials());
         all.extend(self.loads());
-        all.push(("Detrend", enumeration::<Detrend>("What is taken away from heights.")));
+        all.push(words_of::<Detrend>("Detrend", "What is taken away from heights."));
         all.push(("SurfaceHeights", self.surface()));
         all.push(("NpyHeights", npy_heights()));
-        all.push((
-            "MeshSettings",
-            self.settings(&MeshSettings::TABLE, &MeshSettings::default(), &[]),
-        ));
-        all.push((
-            "SolverSettings",
-            self.settings(&SolverSettings::TABLE, &SolverSettings::default(), &[]),
-        ));
-        all.push((
-            "OutputSettings",
-            self.settings(&OutputSettings::TABLE, &OutputSettings::default(), &[]),
-        ));
+        all.push(self.settings(&MeshSettings::default(), &[]));
+        all.push(self.settings(&SolverSettings::default(), &[]));
+        all.push(self.settings(&OutputSettings::default(), &[]));
         all.extend(self.tensile_test());
         all.extend(self.find());
         all
     }
 
-    fn tensile_test(&self) -> Vec<(&'static str, Value)> {
+    fn tensile_test(&self) -> Vec<Part> {
         let table = TensileTest::FIELDS;
-        let mut entries: Vec<_> =
-            table.fields.iter().map(|field| self.entry(field, None)).collect();
-        entries.push(Entry {
-            key: "units",
-            schema: or_null(self.named("Units"), "Units of the stresses. Default: `mm_N_MPa`."),
-            required: false,
-        });
-        let mut test = object(table.description, entries);
-        test["additionalProperties"] = json!(false);
+        let mut entries = self.entries(&table);
+        let units = or_null(self.named("Units"), "Units of the stresses. Default: `mm_N_MPa`.");
+        entries.push(optional("units", units));
         vec![
-            (table.name, test),
-            ("StrainUnit", enumeration::<StrainUnit>("Unit of the strain of a test.")),
-            (
+            (table.name, object(table.description, entries)),
+            words_of::<StrainUnit>("StrainUnit", "Unit of the strain of a test."),
+            words_of::<TestMeasure>(
                 "TestMeasure",
-                enumeration::<TestMeasure>(
-                    "Strain and stress over first length and section, or true ones.",
-                ),
+                "Strain and stress over first length and section, or true ones.",
             ),
-            (
+            words_of::<YieldPlace>(
                 "YieldPlace",
-                enumeration::<YieldPlace>(
-                    "Yield at a plastic strain, or where the record leaves its first line for good.",
-                ),
+                "Yield at a plastic strain, or where the record leaves its first line for good.",
             ),
         ]
     }
@@ -162,32 +161,24 @@ impl Schemas<'_> {
     }
 
     fn job(&self) -> Value {
-        let optional = |key, name, description: &str| Entry {
-            key,
-            schema: or_null(self.named(name), description),
-            required: false,
-        };
-        let required = |key, schema| Entry { key, schema, required: true };
+        let part =
+            |key, name, description: &str| optional(key, or_null(self.named(name), description));
         let units = format!(
             "Units of every figure of the job and of its result. Default: `{}`.",
             Units::default().name()
         );
-        let mut job = object(
+        let job = object(
             "Two bodies, what presses them together, and how to solve it. An unknown key is an \
              error; null is the same as leaving a member out.",
             vec![
-                Entry {
-                    key: "title",
-                    schema: name_schema("What the job is called."),
-                    required: false,
-                },
-                optional(
+                optional("title", name_schema("What the job is called.")),
+                part(
                     "analysis",
                     "Analysis",
                     "Kinematics. Required, but for a hardness test, which is `axisymmetric`.",
                 ),
-                optional("units", "Units", &units),
-                optional(
+                part("units", "Units", &units),
+                part(
                     "upper",
                     "ContactBody",
                     "The body above the contact. Required, but for a hardness test, which brings \
@@ -195,19 +186,18 @@ impl Schemas<'_> {
                 ),
                 required("lower", self.named_as("ContactBody", "The body below the contact.")),
                 required("load", self.named("Load")),
-                optional("find", "Find", "An input that is sought for what it does to a figure."),
-                Entry { key: "tolerances", schema: tolerances(), required: false },
-                optional("mesh", "MeshSettings", "The mesh."),
-                optional("solver", "SolverSettings", "Iteration controls."),
-                optional("output", "OutputSettings", "What the result contains."),
-                optional(
+                part("find", "Find", "An input that is sought for what it does to a figure."),
+                optional("tolerances", tolerances()),
+                part("mesh", "MeshSettings", "The mesh."),
+                part("solver", "SolverSettings", "Iteration controls."),
+                part("output", "OutputSettings", "What the result contains."),
+                part(
                     "tags",
                     "Tags",
                     "Free labels, echoed in the result; jobs can be listed by them.",
                 ),
             ],
         );
-        job["additionalProperties"] = json!(false);
         debug_assert!(Job::KEYS.iter().all(|key| job["properties"][key].is_object()));
         job
     }
@@ -219,22 +209,17 @@ impl Schemas<'_> {
             "One body, described in its own frame: the contact starts at the origin, heights are \
              counted along the outward normal. At most one of the two is rigid.",
             vec![
-                Entry { key: "shape", schema: self.named("Shape"), required: true },
-                Entry {
-                    key: "support",
-                    schema: or_null(self.named("Support"), &support),
-                    required: false,
-                },
-                Entry { key: "material", schema: self.named("Material"), required: true },
-                Entry {
-                    key: Surface::KEY,
-                    schema: or_null(
+                required("shape", self.named("Shape")),
+                optional("support", or_null(self.named("Support"), &support)),
+                required("material", self.named("Material")),
+                optional(
+                    Surface::KEY,
+                    or_null(
                         self.named("SurfaceHeights"),
                         "Heights on top of the shape, measured or computed; only in three \
                          dimensions.",
                     ),
-                    required: false,
-                },
+                ),
             ],
         )
     }
@@ -262,7 +247,6 @@ impl Schemas<'_> {
             schema["examples"] = json!([0.001]);
             schema
         };
-        let spacing = |key, along: &str| Entry { key, schema: length(along), required: true };
         let detrend = format!(
             "What is taken away from the heights. Default: `{}`.",
             Detrend::default().name()
@@ -271,14 +255,10 @@ impl Schemas<'_> {
             "Heights on top of the shape of a half-space. The contact is solved on their grid, \
              and there is none beyond it.",
             vec![
-                Entry { key: "heights", schema: heights, required: true },
-                spacing("spacing_x", "x"),
-                spacing("spacing_y", "y"),
-                Entry {
-                    key: "detrend",
-                    schema: or_null(self.named("Detrend"), &detrend),
-                    required: false,
-                },
+                required("heights", heights),
+                required("spacing_x", length("x")),
+                required("spacing_y", length("y")),
+                optional("detrend", or_null(self.named("Detrend"), &detrend)),
             ],
         )
     }
@@ -301,21 +281,24 @@ impl Schemas<'_> {
         &self,
         tag: &'static str,
         tables: &'static [FieldTable],
-    ) -> impl Iterator<Item = (&'static str, Value)> {
+    ) -> impl Iterator<Item = Part> {
         tables.iter().map(move |table| {
             let word = json!({"type": "string", "description": "The word that names this kind.", "const": table.word});
-            let tag = Entry { key: tag, schema: word, required: true };
-            let fields = table.fields.iter().map(|field| self.entry(field, None));
-            (table.name, object(table.description, std::iter::once(tag).chain(fields).collect()))
+            let entries = [required(tag, word)].into_iter().chain(self.entries(table)).collect();
+            (table.name, object(table.description, entries))
         })
     }
 
-    fn settings<T: Record>(
-        &self,
-        table: &'static FieldTable,
-        default: &T,
-        required: &[&str],
-    ) -> Value {
+    fn entries(&self, table: &FieldTable) -> Vec<Entry> {
+        table.fields.iter().map(|field| self.entry(field, None)).collect()
+    }
+
+    fn record(&self, table: &FieldTable) -> Part {
+        (table.name, object(table.description, self.entries(table)))
+    }
+
+    fn settings<T: Record>(&self, default: &T, required: &[&str]) -> Part {
+        let table = T::TABLE;
         let defaults = default.values().into_iter();
         let entries = table.fields.iter().zip(defaults).map(|(field, default)| {
             let default =
@@ -328,7 +311,7 @@ impl Schemas<'_> {
                 });
             self.entry(field, default.as_ref())
         });
-        object(table.description, entries.collect())
+        (table.name, object(table.description, entries.collect()))
     }
 
     /// Returns the schema of a field. A field with a default is optional.
@@ -381,60 +364,39 @@ impl Schemas<'_> {
         Entry { key: field.key, schema, required }
     }
 
-    fn materials(&self) -> Vec<(&'static str, Value)> {
-        let yes = json!({"type": "boolean", "description": "Always true.", "const": true});
-        let called = || Entry {
-            key: "name",
-            schema: name_schema("What the material is called; figures alone count."),
-            required: false,
-        };
-        let mut elastic: Vec<_> =
-            Elastic::TABLE.fields.iter().map(|field| self.entry(field, None)).collect();
+    fn materials(&self) -> Vec<Part> {
+        let called =
+            || optional("name", name_schema("What the material is called; figures alone count."));
+        let mut elastic = self.entries(&Elastic::TABLE);
         let absent = elastic
             .iter()
             .map(|entry| entry.key)
             .chain(["plasticity", InitialStress::KEY, FatigueLimits::KEY])
             .collect::<Vec<_>>();
-        elastic.push(Entry {
-            key: "plasticity",
-            schema: or_null(
-                self.named("Plasticity"),
-                "The hardening curve; a body without one stays elastic.",
-            ),
-            required: false,
-        });
-        elastic.push(Entry {
-            key: InitialStress::KEY,
-            schema: json!({
+        let plasticity = "The hardening curve; a body without one stays elastic.";
+        elastic.push(optional("plasticity", or_null(self.named("Plasticity"), plasticity)));
+        elastic.push(optional(
+            InitialStress::KEY,
+            json!({
                 "type": ["array", "null"],
                 "description": "Stress before any load, by depth: straight between depths, \
                                 constant beyond the ends. It is relaxed before the load; what is \
                                 left is reported.",
                 "items": self.named(InitialStress::TABLE.name),
                 "minItems": 1,
-                "maxItems": InitialStress::MAX_POINTS,
+                "maxItems": OverDepth::MAX_POINTS,
             }),
-            required: false,
-        });
-        elastic.push(Entry {
-            key: FatigueLimits::KEY,
-            schema: or_null(
-                self.named("FatigueLimits"),
-                "Limits of high-cycle fatigue; without them nothing is said of it.",
-            ),
-            required: false,
-        });
+        ));
+        let fatigue = "Limits of high-cycle fatigue; without them nothing is said of it.";
+        elastic.push(optional(FatigueLimits::KEY, or_null(self.named("FatigueLimits"), fatigue)));
         elastic.push(called());
         elastic.push(never("rigid"));
-        let mut given: Vec<_> =
-            GivenLimits::TABLE.fields.iter().map(|field| self.entry(field, None)).collect();
+        let mut given = self.entries(&GivenLimits::TABLE);
         let limits = given.iter().map(|entry| entry.key).collect::<Vec<_>>();
         given.push(never(FatigueLimits::FROM_HARDNESS));
-        let is_true =
-            Entry { key: FatigueLimits::FROM_HARDNESS, schema: yes.clone(), required: true };
-        let of_hardness = [is_true].into_iter().chain(limits.into_iter().map(never)).collect();
-        let rows = InitialStress::TABLE.fields.iter().map(|field| self.entry(field, None));
-        let mut rigid = vec![Entry { key: "rigid", schema: yes, required: true }, called()];
+        let mut of_hardness = vec![required(FatigueLimits::FROM_HARDNESS, always_true())];
+        of_hardness.extend(limits.into_iter().map(never));
+        let mut rigid = vec![required("rigid", always_true()), called()];
         rigid.extend(absent.into_iter().map(never));
         vec![
             ("Material", self.one_of("What a body is made of.", &["Deformable", "Rigid"])),
@@ -443,7 +405,7 @@ impl Schemas<'_> {
                 object("An isotropic body, elastic unless it has a hardening curve.", elastic),
             ),
             ("Rigid", object("A body that does not deform.", rigid)),
-            (InitialStress::TABLE.name, object(InitialStress::TABLE.description, rows.collect())),
+            self.record(&InitialStress::TABLE),
             (
                 "FatigueLimits",
                 self.one_of(
@@ -462,26 +424,16 @@ impl Schemas<'_> {
         ]
     }
 
-    fn over_depth(&self) -> Vec<(&'static str, Value)> {
-        let table = |table: FieldTable| {
-            let fields = table.fields.iter().map(|field| self.entry(field, None));
-            (table.name, object(table.description, fields.collect()))
-        };
+    fn over_depth(&self) -> Vec<Part> {
         let mut factors = self.entry(&OverDepth::FACTORS, None).schema;
         factors["type"] = json!("array");
-        let mut hardness = object(
-            "Hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − \
-             90.7 MPa.",
-            vec![Entry {
-                key: "hardness",
-                schema: self.one_of(
-                    "Measured at points, or of a case.",
-                    &["HardnessProfile", "HardenedCase"],
-                ),
-                required: true,
-            }],
+        let tables = [HardnessProfile::TABLE, HardenedCase::TABLE];
+        let names = tables.each_ref().map(|table| table.name);
+        let hardness = object(
+            "Hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.",
+            vec![required("hardness", self.one_of("Measured at points, or of a case.", &names))],
         );
-        hardness["additionalProperties"] = json!(false);
+        let [profile, case] = tables.each_ref().map(|table| self.record(table));
         vec![
             (
                 "StrengthOverDepth",
@@ -493,26 +445,18 @@ impl Schemas<'_> {
             ),
             ("StrengthFactors", factors),
             ("HardnessOverDepth", hardness),
-            table(HardnessProfile::TABLE),
-            table(HardenedCase::TABLE),
-            (
+            profile,
+            case,
+            words_of::<HardnessScale>(
                 "HardnessScale",
-                enumeration::<HardnessScale>(
-                    "Scale of hardness: Vickers, or Rockwell C, which becomes Vickers by ISO \
-                     18265, table A.1 (20.3 to 68 HRC).",
-                ),
+                "Scale of hardness: Vickers, or Rockwell C, which becomes Vickers by ISO 18265, \
+                 table A.1 (20.3 to 68 HRC).",
             ),
-            (
-                "CaseCurve",
-                enumeration::<CaseCurve>(
-                    "Hardness between surface and core of a \
-                                                    case.",
-                ),
-            ),
+            words_of::<CaseCurve>("CaseCurve", "Hardness between surface and core of a case."),
         ]
     }
 
-    fn loads(&self) -> Vec<(&'static str, Value)> {
+    fn loads(&self) -> Vec<Part> {
         let force = "Force of the whole contact, both sides of the axis: on unit thickness, in \
                      axisymmetry and three dimensions in all.";
         let force = figures_schema(&[Domain::LineForce, Domain::Force], force);
@@ -530,7 +474,6 @@ impl Schemas<'_> {
                 "maxItems": Sweep::MAX_VALUES,
             })
         };
-        let yes = json!({"type": "boolean", "description": "Always true.", "const": true});
         let step = |key: &str, figure: &Value| {
             let mut figure = figure.clone();
             figure["minimum"] = json!(0);
@@ -579,7 +522,7 @@ impl Schemas<'_> {
                 "OnsetLoad",
                 "onset",
                 "The force at which the contact begins to yield is the answer.",
-                yes,
+                always_true(),
             ),
             (
                 "TargetLoad",
@@ -600,7 +543,7 @@ impl Schemas<'_> {
             ),
         )];
         all.extend(loads.into_iter().map(|(name, key, description, schema)| {
-            let mut entries = vec![Entry { key, schema, required: true }];
+            let mut entries = vec![required(key, schema)];
             entries
                 .extend(Load::KINDS.iter().filter(|kind| **kind != key).map(|kind| never(kind)));
             (name, object(description, entries))
@@ -629,30 +572,24 @@ impl Schemas<'_> {
         ("HardnessLoad", HardnessTest::KEY, description, schema)
     }
 
-    fn hardness(&self) -> [(&'static str, Value); 2] {
-        let fields = HardnessTest::TABLE.fields.iter().map(|field| self.entry(field, None));
-        let test = object(HardnessTest::TABLE.description, fields.collect());
-        [
-            (HardnessTest::TABLE.name, test),
-            ("TestScale", enumeration::<TestScale>("A scale of hardness.")),
-        ]
+    fn hardness(&self) -> [Part; 2] {
+        let scale = words_of::<TestScale>("TestScale", "A scale of hardness.");
+        [self.record(&HardnessTest::TABLE), scale]
     }
 
-    fn rolling(&self) -> [(&'static str, Value); 3] {
+    fn rolling(&self) -> [Part; 3] {
         let default = Rolling::new(PositiveF64::MICRO);
         [
-            ("Rolling", self.settings(&Rolling::TABLE, &default, &["force"])),
-            (
+            self.settings(&default, &["force"]),
+            words_of::<HardeningRule>(
                 "HardeningRule",
-                enumeration::<HardeningRule>(
-                    "How bodies without a backstress harden as a load rolls.",
-                ),
+                "How bodies without a backstress harden as a load rolls.",
             ),
-            ("Until", enumeration::<Until>("When the passes of a load that rolls end.")),
+            words_of::<Until>("Until", "When the passes of a load that rolls end."),
         ]
     }
 
-    fn targets(&self) -> Vec<(&'static str, Value)> {
+    fn targets(&self) -> Vec<Part> {
         const NAMES: [&str; 6] = [
             "PermanentApproachTarget",
             "DentDepthTarget",
@@ -669,7 +606,7 @@ impl Schemas<'_> {
             let (key, description) = (figure.name(), target::description(*figure));
             let mut schema = figure_schema(&target::measure_of(*figure), description);
             schema["examples"] = json!([target::example(*figure)]);
-            let mut entries = vec![Entry { key, schema, required: true }];
+            let mut entries = vec![required(key, schema)];
             let others = TargetFigure::ALL.iter().filter(|other| *other != figure);
             entries.extend(others.map(|other| never(other.name())));
             (name, object(description, entries))
@@ -677,16 +614,15 @@ impl Schemas<'_> {
         std::iter::once(("Target", target)).chain(each).collect()
     }
 
-    fn find(&self) -> [(&'static str, Value); 2] {
+    fn find(&self) -> [Part; 2] {
         let figures: Vec<_> = Find::figures().map(Named::name).collect();
-        let end = |key, end: &str| Entry {
-            key,
-            schema: json!({
+        let end = |key, end: &str| {
+            let schema = json!({
                 "type": ["string", "null"],
                 "description": format!("Figure that shall be as {end} as it becomes."),
                 "enum": figures.iter().copied().map(Value::from).chain([Value::Null]).collect::<Vec<_>>(),
-            }),
-            required: false,
+            });
+            optional(key, schema)
         };
         let [upper, lower] = Side::BOTH.map(Side::name);
         let body = json!({
@@ -694,18 +630,14 @@ impl Schemas<'_> {
             "description": "Of which body the figure is, where both have it.",
             "enum": [upper, lower, null],
         });
-        let value = |name: Name| Entry {
-            key: name.name(),
-            schema: json!({
-                "type": ["number", "null"],
-                "description": format!("Wanted value: {}.", name.meaning()),
-            }),
-            required: false,
+        let value = |name: Name| {
+            let description = format!("Wanted value: {}.", name.meaning());
+            optional(name.name(), json!({"type": ["number", "null"], "description": description}))
         };
         let mut until = vec![
             end(Find::ENDS[0], "small"),
             end(Find::ENDS[1], "large"),
-            Entry { key: Find::BODY, schema: body, required: false },
+            optional(Find::BODY, body),
         ];
         until.extend(Find::figures().map(value));
         let pointer = json!({"type": "string", "pattern": "^/"});
@@ -725,7 +657,6 @@ impl Schemas<'_> {
             "minItems": 2,
             "maxItems": 2,
         });
-        let required = |key, schema| Entry { key, schema, required: true };
         let find = object(
             "An input that is sought between two ends for what it does to a figure of the last \
              load step. The result is that of the job with it.",
@@ -788,7 +719,7 @@ fn npy_heights() -> Value {
     });
     object(
         "Heights as an array of numpy, which takes fewer bytes than lists and no digit away.",
-        vec![Entry { key: Surface::NPY, schema: text, required: true }],
+        vec![required(Surface::NPY, text)],
     )
 }
 
@@ -816,9 +747,8 @@ fn object(description: &str, entries: Vec<Entry>) -> Value {
 /// A member of another kind of this object, which may only be `null` here, so that a generated
 /// type refuses an object that mixes two kinds.
 fn never(key: &'static str) -> Entry {
-    let schema = json!({"type": "null", "description": "Belongs to another kind of object; not \
-                                                        given here."});
-    Entry { key, schema, required: false }
+    let description = "Belongs to another kind of object; not given here.";
+    optional(key, json!({"type": "null", "description": description}))
 }
 
 /// Returns a schema that also accepts `null`.
@@ -833,8 +763,12 @@ fn or_null(mut schema: Value, description: &str) -> Value {
     json!({"description": description, "oneOf": [schema, {"type": "null"}]})
 }
 
-fn enumeration<T: Named>(description: &str) -> Value {
-    json!({"type": "string", "description": description, "enum": words::<T>()})
+fn words_of<T: Named>(name: &'static str, description: &str) -> Part {
+    (name, json!({"type": "string", "description": description, "enum": words::<T>()}))
+}
+
+fn always_true() -> Value {
+    json!({"type": "boolean", "description": "Always true.", "const": true})
 }
 
 fn figure_schema(figure: &NumberKind, description: &str) -> Value {
@@ -847,35 +781,6 @@ fn figure_schema(figure: &NumberKind, description: &str) -> Value {
             "maximum": range.end(),
         }),
     }
-}
-
-/// Returns the enumerations of the settings of the solver.
-fn words_of_settings() -> [(&'static str, Value); 4] {
-    [
-        (
-            "Method",
-            enumeration::<Method>(
-                "A method by one word, which sets theory, coupling and contact method.",
-            ),
-        ),
-        (
-            "Coupling",
-            enumeration::<Coupling>(
-                "How the contact iteration and the plastic iteration alternate.",
-            ),
-        ),
-        (
-            "Theory",
-            enumeration::<Theory>(
-                "Theory of plasticity: stress as a function of the strain alone, or of its \
-                     history.",
-            ),
-        ),
-        (
-            "ContactMethod",
-            enumeration::<ContactMethod>("The method that solves the contact conditions."),
-        ),
-    ]
 }
 
 /// Returns the schema of a figure whose quantity depends on `analysis`. The bounds cover both

@@ -36,7 +36,7 @@ impl Job {
                 }
                 for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
                     if let Material::Deformable(material) = &body.material
-                        && !Deformable::backstress(material).is_empty()
+                        && !material.backstress.is_empty()
                     {
                         let detail =
                             "deformation theory knows no backstress; it needs the theory `flow`";

@@ -1,6 +1,9 @@
 //! Between what an approach is measured.
 
-use crate::job::{Block, Body, Cylinder, Job, Material, Shape, Side, Sphere};
+use crate::job::{
+    Block, Body, Cone, Cylinder, Groove, Job, Material, Parabola, Power, Punch, Shape, Side,
+    Sphere, Wedge,
+};
 use crate::units::UnitConverter;
 
 /// Between what an approach is measured.
@@ -65,19 +68,22 @@ fn place(side: Side, body: &Body, in_hole: bool, write: UnitConverter) -> String
                 write.exact_length(radius.get())
             )
         }
-        (_, Shape::Block(Block { depth, .. })) => base(depth.get()),
         (_, Shape::Hole(hole)) => format!(
             "the outer edge of the {side} body, {} from the hole",
             write.length_text(hole.wall())
         ),
-        (_, Shape::Groove(groove)) => base(groove.depth().get()),
-        (_, Shape::Profile(profile)) => base(profile.depth().get() + profile.top()),
-        (_, Shape::Wedge(wedge)) => base(wedge.depth().get()),
-        (_, Shape::Cone(cone)) => base(cone.depth().get()),
-        (_, Shape::Punch(punch)) => base(punch.depth().get()),
-        (_, Shape::Parabola(parabola)) => base(parabola.depth().get()),
+        (_, Shape::Profile(profile)) => base(profile.depth.get() + profile.top()),
         (_, Shape::Ellipse(ellipse)) => base(ellipse.semi_axis_y.get()),
-        (_, Shape::Power(power)) => base(power.depth().get()),
+        (
+            _,
+            Shape::Block(Block { depth, .. })
+            | Shape::Groove(Groove { depth, .. })
+            | Shape::Wedge(Wedge { depth, .. })
+            | Shape::Cone(Cone { depth, .. })
+            | Shape::Punch(Punch { depth, .. })
+            | Shape::Parabola(Parabola { depth, .. })
+            | Shape::Power(Power { depth, .. }),
+        ) => base(depth.get()),
         (_, Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_)) => {
             format!("the far {side} body")
         }

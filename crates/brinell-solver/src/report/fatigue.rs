@@ -8,7 +8,6 @@ use strum::{IntoStaticStr, VariantArray};
 use super::findings::Finding;
 use super::rolling::SolvedHardening;
 use crate::job::{Analysis, FatigueLimits, Job, Load, Named, Side};
-use crate::material::fatigue::Criterion;
 use crate::solver::method::observer::ask;
 use crate::solver::{Interrupt, Observer};
 use crate::units::UnitConverter;
@@ -38,16 +37,6 @@ impl FatigueCriterion {
             Self::DangVan => "Dang Van",
             Self::Crossland => "Crossland",
             Self::OrthogonalShear => "orthogonal shear",
-        }
-    }
-}
-
-impl From<Criterion> for FatigueCriterion {
-    fn from(criterion: Criterion) -> Self {
-        match criterion {
-            Criterion::DangVan => Self::DangVan,
-            Criterion::Crossland => Self::Crossland,
-            Criterion::OrthogonalShear => Self::OrthogonalShear,
         }
     }
 }

@@ -92,7 +92,7 @@ fn tension(side: usize, body: &BodySolution) -> Option<Largest> {
 /// Returns the depth of the hardened case of a body \[mm\].
 pub(super) fn case_depth(job: &Job, side: usize) -> Option<f64> {
     match &[&job.upper, &job.lower][side].material {
-        Material::Deformable(material) => match material.over_depth()? {
+        Material::Deformable(material) => match material.over_depth.as_ref()? {
             OverDepth::Case(case) => Some(case.case_depth.get()),
             _ => None,
         },

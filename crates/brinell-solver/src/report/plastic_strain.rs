@@ -2,7 +2,7 @@
 //! curve of the material is accurate enough for it.
 
 use super::findings::Finding;
-use crate::job::{Deformable, Hardening, Job, Load, Material, TargetFigure};
+use crate::job::{Hardening, Job, Load, Material, TargetFigure};
 use crate::solver::StepSolution;
 
 /// Plastic strain below which a bilinear curve represents a real material badly.
@@ -44,7 +44,7 @@ pub(super) fn bilinear_curve(job: &Job, strain: f64) -> Option<Finding> {
     };
     let is_bilinear = |material: &Material| match material {
         Material::Deformable(material) => {
-            matches!(Deformable::plasticity(material), Some(Hardening::Bilinear(_)))
+            matches!(material.plasticity, Some(Hardening::Bilinear(_)))
         }
         Material::Rigid => false,
     };

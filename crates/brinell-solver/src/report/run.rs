@@ -1,8 +1,5 @@
 //! Entry points of the service and the command line: they estimate, solve and report a job.
 
-use std::ops::ControlFlow;
-use std::time::Duration;
-
 use super::accuracy;
 use super::cost::JobEstimate;
 use super::find;
@@ -15,44 +12,9 @@ use super::step::{in_units, run_each as write_each};
 use super::{Report, StepReport};
 use crate::inputs::{self, Input, SolveError};
 use crate::job::{FieldError, Job};
-use crate::solver::{Held, Interrupt, IterationRecord, Observer, Options};
+use crate::solver::method::observer::Retold;
+use crate::solver::{Observer, Options};
 use crate::units::UnitConverter;
-
-/// An engine of any kind, with the job that it solves.
-trait Reported {
-    fn cost(&self) -> Result<JobEstimate, SolveError>;
-
-    fn run_each(
-        &self,
-        options: Options<'_>,
-        observer: &mut dyn Observer,
-        on_step: &mut dyn FnMut(usize, StepReport),
-    ) -> Result<Report, SolveError>;
-}
-
-impl<E: Shown> Reported for E {
-    fn cost(&self) -> Result<JobEstimate, SolveError> {
-        Shown::cost(self)
-    }
-
-    fn run_each(
-        &self,
-        options: Options<'_>,
-        observer: &mut dyn Observer,
-        on_step: &mut dyn FnMut(usize, StepReport),
-    ) -> Result<Report, SolveError> {
-        write_each(self, options, observer, on_step)
-    }
-}
-
-/// Returns the engine of a job.
-fn engine(job: &Job) -> Result<Box<dyn Reported + '_>, SolveError> {
-    Ok(match inputs::of(job)? {
-        Input::Meshed(contact) => Box::new(Meshed::new(job, *contact)),
-        Input::HalfSpaces(contact) => Box::new(HalfSpaces::new(job, *contact)),
-        Input::Rolling(contact) => Box::new(Track::new(job, *contact)),
-    })
-}
 
 /// Estimates the cost of a job without meshing it.
 ///
@@ -69,7 +31,12 @@ fn estimate(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
 
 /// Estimates the cost of one solve.
 fn cost(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    engine(job).and_then(|engine| engine.cost()).map_err(|error| {
+    let cost = inputs::of(job).and_then(|input| match input {
+        Input::Meshed(contact) => Meshed::new(job, *contact).cost(),
+        Input::HalfSpaces(contact) => HalfSpaces::new(job, *contact).cost(),
+        Input::Rolling(contact) => Track::new(job, *contact).cost(),
+    });
+    cost.map_err(|error| {
         let whole = match &error {
             SolveError::Meshed(_) => "",
             SolveError::HalfSpaces(_) | SolveError::NoHalfSpaces => "/mesh",
@@ -80,34 +47,6 @@ fn cost(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
             other => vec![FieldError::not_solvable(whole, other.to_string())],
         }
     })
-}
-
-/// Converts each iteration to the units of the job and passes it to another observer.
-struct InUnits<'a> {
-    observer: &'a mut dyn Observer,
-    write: UnitConverter,
-}
-
-impl Observer for InUnits<'_> {
-    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        self.observer.on_iteration(&in_units(record, self.write))
-    }
-
-    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        self.observer.on_preliminary_iteration(&in_units(record, self.write))
-    }
-
-    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
-        self.observer.on_checkpoint()
-    }
-
-    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
-        self.observer.on_held(part, bytes)
-    }
-
-    fn elapsed(&self) -> Duration {
-        self.observer.elapsed()
-    }
 }
 
 /// Solves a job and returns its report. The observer sees iterations in the units of the job.
@@ -172,7 +111,18 @@ fn solve_once(
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
-    let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
-    let engine = engine(job).map_err(|error| RunError::of(job, &error))?;
-    engine.run_each(options, observer, on_step).map_err(|error| RunError::of(job, &error))
+    let write = UnitConverter::new(job.units, job.analysis);
+    let observer = &mut Retold::new(observer, |record| in_units(record, write));
+    let report = inputs::of(job).and_then(|input| match input {
+        Input::Meshed(contact) => {
+            write_each(&Meshed::new(job, *contact), options, observer, on_step)
+        }
+        Input::HalfSpaces(contact) => {
+            write_each(&HalfSpaces::new(job, *contact), options, observer, on_step)
+        }
+        Input::Rolling(contact) => {
+            write_each(&Track::new(job, *contact), options, observer, on_step)
+        }
+    });
+    report.map_err(|error| RunError::of(job, &error))
 }

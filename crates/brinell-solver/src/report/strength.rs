@@ -45,7 +45,7 @@ pub(super) fn wanted(asked: f64, ratio: f64, most: u32) -> f64 {
 pub(super) fn by_hardness(job: &Job) -> Option<Finding> {
     let follows = |material: &Material| match material {
         Material::Deformable(material) => {
-            material.over_depth().is_some_and(|strength| strength.rule().is_some())
+            material.over_depth.as_ref().is_some_and(|strength| strength.rule().is_some())
         }
         Material::Rigid => false,
     };

@@ -4,7 +4,9 @@ use super::SubsurfaceReport;
 use crate::analytical::Stress;
 use crate::fem::mesh::SurfaceFrame;
 use crate::job::Quantity;
-use crate::material::HardeningLaw;
+use crate::material::fatigue::largest_shear;
+use crate::material::{HardeningLaw, Solid};
+use crate::solver::half_spaces::{ColumnPoint, von_mises};
 use crate::solver::{BodySolution, StepSolution, recovered, recovered_at_rest};
 use crate::units::UnitConverter;
 
@@ -78,4 +80,62 @@ pub(super) fn profile(
         report.yield_stress = Some(yield_stress);
     }
     report
+}
+
+/// Returns the stresses over depth below a point of a half-space, of which a line has `[x]` and
+/// not `[x, y]`. `orientation` is the angle from the x of the job \[rad\].
+pub(super) fn below(
+    material: Option<&Solid>,
+    orientation: f64,
+    position: Vec<f64>,
+    points: &[ColumnPoint],
+    write: UnitConverter,
+) -> SubsurfaceReport {
+    let column = |of: &dyn Fn(&ColumnPoint) -> f64| -> Vec<f64> {
+        points.iter().map(|point| write.stress(of(point))).collect()
+    };
+    let [xx, yy, zz, xy, xz, yz] =
+        std::array::from_fn(|k| column(&|point: &ColumnPoint| point.stress[k]));
+    let hardening = material.and_then(|solid| solid.hardening_law().zip(solid.strength()));
+    let limits = hardening.map(|(law, strength)| {
+        let at = |point: &ColumnPoint| law.nominal_yield_stress() * strength.factor(point.depth);
+        points.iter().map(at).collect::<Vec<f64>>()
+    });
+    let part = |(point, limit): (&ColumnPoint, &f64)| von_mises(point.stress) / limit;
+    let initial = material.map(Solid::initial_stress).filter(|profile| !profile.is_empty());
+    let (sine, cosine) = orientation.sin_cos();
+    let before = |[of_x, of_y]: [f64; 2]| {
+        let at = |point: &ColumnPoint| {
+            let [x, y] = initial?.at(point.depth);
+            Some(write.stress(of_x * x + of_y * y))
+        };
+        points.iter().map(at).collect::<Option<Vec<f64>>>().filter(|_| initial.is_some())
+    };
+    let is_whole = position.len() > 1;
+    let whole = |stress: &Vec<f64>| is_whole.then(|| stress.clone());
+    SubsurfaceReport {
+        position,
+        depth: points.iter().map(|point| write.length(point.depth)).collect(),
+        sigma_xx: whole(&xx),
+        sigma_yy: whole(&yy),
+        sigma_zz: whole(&zz),
+        sigma_xy: whole(&xy),
+        sigma_xz: whole(&xz),
+        sigma_yz: whole(&yz),
+        sigma_x: xx,
+        sigma_y: zz,
+        sigma_z: yy,
+        tau_max: column(&|point| largest_shear(&point.stress)),
+        von_mises: column(&|point| von_mises(point.stress)),
+        equivalent_plastic_strain: points
+            .iter()
+            .map(|point| point.equivalent_plastic_strain)
+            .collect(),
+        utilization: limits.as_ref().map(|limits| points.iter().zip(limits).map(part).collect()),
+        yield_stress: limits
+            .map(|limits| limits.iter().map(|limit| write.stress(*limit)).collect()),
+        initial_sigma_x: before([cosine * cosine, sine * sine]),
+        initial_sigma_y: before([0.0; 2]),
+        initial_sigma_z: before([sine * sine, cosine * cosine]),
+    }
 }

@@ -49,8 +49,9 @@ const FACTORIZATION: usize = 10;
 const MANY_EQUATIONS: usize = 1_000_000;
 /// Plastic strain above which small-strain theory is inaccurate.
 const LARGE_STRAIN: f64 = 0.05;
-/// Depth of a body over the half-width below which the support affects the answer.
-const NEAR_SUPPORT: f64 = 5.0;
+/// Distance over the half-width within which the stress of the contact decays, and a support affects
+/// the answer.
+pub(super) const NEAR_SUPPORT: f64 = 5.0;
 
 /// Returns the remarks of findings in the units of a job. Neighbours with the code `coarse_mesh`
 /// make one remark.

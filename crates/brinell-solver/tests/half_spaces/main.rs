@@ -46,7 +46,7 @@ fn steel(tangent: Option<f64>) -> Solid {
             tangent_modulus: NonNegativeF64::new(tangent * 210_000.0).unwrap(),
         })
     });
-    Solid::from(&Deformable::new(elastic, hardening).unwrap())
+    Solid::from(&Deformable::new(elastic, hardening))
 }
 
 /// Forces in their order \[N\].
@@ -499,7 +499,7 @@ fn two_equal_bodies_are_one_that_counts_twice() {
         yield_stress: positive(YIELD_STRESS * (1.0 + 1e-12)),
         tangent_modulus: NonNegativeF64::new(0.05 * 210_000.0).unwrap(),
     });
-    both.materials[0] = Some(Solid::from(&Deformable::new(elastic, Some(harder)).unwrap()));
+    both.materials[0] = Some(Solid::from(&Deformable::new(elastic, Some(harder))));
     let apart = under(both, 3.0);
     near(apart.figures.approach, two.figures.approach, 1e-6, "approach");
     near(

@@ -30,7 +30,7 @@ fn perfectly_plastic(poisson: f64) -> Arc<FlowPlasticity<0>> {
         tangent_modulus: NonNegativeF64::new(0.0).unwrap(),
     });
     let material = material(210_000.0, poisson, Some(law));
-    let elastic = ElasticModuli::from(material.elastic());
+    let elastic = ElasticModuli::from(&material.elastic);
     let mapping = ReturnMapping::new(material.hardening_law().unwrap(), elastic.shear);
     Arc::new(FlowPlasticity::new(elastic, mapping, [], OutOfPlane::Strained))
 }

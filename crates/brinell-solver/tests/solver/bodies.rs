@@ -21,7 +21,7 @@ pub fn material(young: f64, poisson: f64, plasticity: Option<Hardening>) -> Defo
         young_modulus: positive(young),
         poisson_ratio: PoissonRatio::new(poisson).unwrap(),
     };
-    Deformable::new(elastic, plasticity).unwrap()
+    Deformable::new(elastic, plasticity)
 }
 
 /// A mesh of `columns × rows` quadrilaterals with nodes at `place(i, j)`.
@@ -166,7 +166,7 @@ pub fn load(
     max_iterations: usize,
 ) -> Loaded {
     let model = Arc::new(DeformationPlasticity::with_law(
-        ElasticModuli::from(material.elastic()),
+        ElasticModuli::from(&material.elastic),
         material.hardening_law(),
         out_of_plane(stress_state),
     ));

@@ -2,7 +2,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use brinell_solver::job::Job;
+use brinell_solver::job::{Job, Named as _};
 use brinell_solver::report::export::{Export, ExportError};
 use brinell_solver::report::{self, Name, Report};
 use brinell_solver::solver::Unobserved;
@@ -246,7 +246,7 @@ fn what_the_result_lacks_is_named() {
         (job.output.fields, job.output.subsurface)
     };
     assert_eq!(
-        Export::ALL.map(needed),
+        Export::ALL.iter().copied().map(needed).collect::<Vec<_>>(),
         [
             (false, false),
             (false, false),

@@ -107,7 +107,7 @@ fn ring() -> Mesh {
 }
 
 fn moduli() -> ElasticModuli {
-    ElasticModuli::from(material(MODULI.0, MODULI.1, None).elastic())
+    ElasticModuli::from(&material(MODULI.0, MODULI.1, None).elastic)
 }
 
 /// What is left of `[σ_r, σ_θ](r)` in a ring with free surfaces, as `[r, σ_r, σ_θ]` of each

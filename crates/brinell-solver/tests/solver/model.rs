@@ -65,7 +65,7 @@ mod accepted {
         };
         assert!((radius.get() - 20.0).abs() < f64::EPSILON);
         let Material::Deformable(steel) = &job.upper.material else { panic!("rigid") };
-        assert!(matches!(steel.plasticity(), Some(Hardening::Bilinear(Bilinear { .. }))));
+        assert!(matches!(steel.plasticity, Some(Hardening::Bilinear(Bilinear { .. }))));
         let Load::Forces(forces) = &job.load else { panic!("no force") };
         assert_eq!(forces.iter().map(|force| force.get()).collect::<Vec<_>>(), [612.6106]);
         assert_eq!(job.mesh.elements_per_half_width, 20);

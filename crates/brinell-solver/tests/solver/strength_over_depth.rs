@@ -54,10 +54,11 @@ fn graded(flow: bool) -> Arc<dyn MaterialModel> {
     let material = material(YOUNG, POISSON, Some(law));
     let wall = OUTER - INNER;
     let over_depth = OverDepth::Factors(vec![[0.0, 1.0], [wall, 1.0 + SLOPE * wall / BORE]]);
-    let bore = Groove::new(positive(INNER), positive(2.0 * INNER), positive(wall)).unwrap();
+    let (radius, width) = (positive(INNER), positive(2.0 * INNER));
+    let bore = Groove { radius, width, depth: positive(wall) };
     let strength =
         DepthStrength::new(over_depth.profile(yield_stress), outline_of(&Shape::Groove(bore)));
-    let elastic = ElasticModuli::from(material.elastic());
+    let elastic = ElasticModuli::from(&material.elastic);
     let (law, plane) = (material.hardening_law(), OutOfPlane::Strained);
     if flow {
         let of = |law: Option<_>| {

@@ -41,16 +41,13 @@ impl HalfSpaceField {
             hydrostatic(&[xx, yy, 0.0, xy, 0.0, 0.0]) + body.at(&section, depth, y)
         };
         let depths = body.layers.faces_and_middles();
-        let found = Fatigue::of(&passing, 0.0, strength, depths.clone(), at_rest, stop)?;
-        let Some(hertz) = self.hertz else { return Ok(Some(found)) };
-        let axes = [hertz.semi_axis_x, hertz.semi_axis_y];
-        let cells = [problem.cells_per_semi_axis as usize; 2];
-        let elastic = Passing::hertz_ellipse(axes, cells, poisson);
-        let Some(elastic) = elastic.map(|elastic| elastic.times(hertz.peak_pressure)) else {
-            return Ok(Some(found));
-        };
-        let elastic = Fatigue::of(&elastic, 0.0, strength, depths, |_, _| 0.0, stop)?;
-        Ok(Some(found.beside(&elastic)))
+        let found = Fatigue::of(&passing, 0.0, strength, depths, at_rest, stop)?;
+        let elastic = self.hertz.and_then(|hertz| {
+            let axes = [hertz.semi_axis_x, hertz.semi_axis_y];
+            let cells = [problem.cells_per_semi_axis as usize; 2];
+            Some(Passing::hertz_ellipse(axes, cells, poisson)?.times(hertz.peak_pressure))
+        });
+        found.beside(elastic.as_ref(), 0.0, strength, stop).map(Some)
     }
 }
 

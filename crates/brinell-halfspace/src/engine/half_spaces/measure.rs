@@ -170,7 +170,6 @@ fn field(system: &HalfSpaces, body: &ElasticBody, stress: Option<TensorField>) -
         layers,
         plastic_strain: None,
         equivalent_plastic_strain: Vec::new(),
-        yield_stress: Vec::new(),
         plastic_displacement: vec![0.0; n_cells],
         largest_strain: None,
         plastic_volume: 0.0,
@@ -210,8 +209,7 @@ fn elastic_stress(
     Ok(stress)
 }
 
-/// Adds the plastic strain, yield stress and plastic displacement to the fields of a body that can
-/// yield.
+/// Adds the plastic strain and displacement to the fields of a body that can yield.
 fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBody {
     let HalfSpaceBody { grid, ref layers, .. } = elastic;
     let n_cells = grid.n_cells();
@@ -227,7 +225,7 @@ fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBo
     });
     let plastic_volume = cells.clone().filter(has_yielded).map(volume).sum();
     let beside_axis = |cell: &usize| cell % grid.ny() == (grid.ny() - 1) / 2;
-    let section = cells.clone().filter(beside_axis).filter(has_yielded);
+    let section = cells.filter(beside_axis).filter(has_yielded);
     let [area, integral] = section.fold([0.0; 2], |[area, integral], cell| {
         let part = layers.thickness(cell / n_cells) * grid.hx();
         [area + part, integral + part * strain[cell]]
@@ -237,13 +235,11 @@ fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBo
         mean_strain: if area > 0.0 { integral / area } else { 0.0 },
         reaches_surface: (0..n_cells).any(|cell| has_yielded(&cell)),
     };
-    let yield_stress = cells.map(|cell| law.yield_stress(cell / n_cells, cell)).collect();
     let (plastic_strain, displacement) = body.opened();
     HalfSpaceBody {
         plastic_strain: Some(plastic_strain.clone()),
         plastic_displacement: displacement.to_vec(),
         equivalent_plastic_strain: strain,
-        yield_stress,
         largest_strain,
         plastic_volume,
         plastic_section,

@@ -1,13 +1,12 @@
 //! The operators that a problem needs on a grid: whether they are symmetric, and their bytes.
 
+use crate::engine::FLOWING;
 use crate::{DEVIATOR_COMPONENTS, HalfSpace, Layers, SurfaceGrid};
 
 use super::law::initial_stress;
 use super::problem::HalfSpaceProblem;
 use brinell_method::couplings::anderson::DEPTH;
 
-/// Part of the cells that flows.
-const FLOWING: f64 = 0.25;
 /// Vectors of all cells that a solve holds beside those of a body: initial stress, its image,
 /// trials, accepted state.
 const VECTORS: usize = 6;
@@ -42,12 +41,7 @@ pub(super) fn bytes(problem: &HalfSpaceProblem, grid: &SurfaceGrid, layers: &Lay
     let yielding =
         problem.materials.iter().flatten().filter(|material| material.can_yield()).count();
     let yielding = if are_equal { yielding.min(1) } else { yielding };
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "bytes of a field"
-    )]
-    let anderson = (2.0 * (DEPTH + 2) as f64 * FLOWING * field as f64) as usize;
+    let anderson = 2 * (DEPTH + 2) * field / FLOWING;
     // Strain, stress before, total and stress of the body, and fields of the answer.
     let of_yielding = (VECTORS + 4) * field + anderson;
     bodies * (operators + 3 * field) + yielding * of_yielding

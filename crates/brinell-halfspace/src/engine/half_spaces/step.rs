@@ -66,9 +66,6 @@ pub struct HalfSpaceBody {
     pub plastic_strain: Option<TensorField>,
     /// Equivalent plastic strain, `[layer * n_cells + cell]`; empty if the body cannot yield.
     pub equivalent_plastic_strain: Vec<f64>,
-    /// Yield stress at the equivalent plastic strain of each cell \[MPa\], in the same order; the
-    /// nominal yield stress for a curve without a yield point.
-    pub yield_stress: Vec<f64>,
     /// Displacement of the surface by plastic strain, positive into the body \[mm\].
     pub plastic_displacement: Vec<f64>,
     /// The largest equivalent plastic strain; `None` if no cell has yielded.
@@ -99,7 +96,7 @@ pub struct LargestStrain {
     pub position: [f64; 3],
 }
 
-/// Stress, strain and yield stress at one depth below a point of the surface.
+/// Stress and strain at one depth below a point of the surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ColumnPoint {
     /// Depth of the middle of the layer \[mm\].
@@ -108,8 +105,6 @@ pub struct ColumnPoint {
     pub stress: [f64; 6],
     /// Equivalent plastic strain.
     pub equivalent_plastic_strain: f64,
-    /// Yield stress \[MPa\]; 0 for a body without a hardening curve.
-    pub yield_stress: f64,
 }
 
 /// Returns the von Mises stress of the stress `[xx, yy, zz, xy, xz, yz]`.
@@ -132,14 +127,13 @@ impl HalfSpaceBody {
         let at = |field: &[f64]| {
             corners.iter().map(|(cell, weight)| weight * field[*cell]).sum::<f64>()
         };
-        let of_layer = |field: &[f64], layer: usize| {
-            field.get(layer * n_cells..(layer + 1) * n_cells).map_or(0.0, at)
-        };
+        let strain = &self.equivalent_plastic_strain;
         let point = |layer: usize| ColumnPoint {
             depth: self.layers.middle(layer),
             stress: std::array::from_fn(|k| at(self.stress.component(layer, k))),
-            equivalent_plastic_strain: of_layer(&self.equivalent_plastic_strain, layer),
-            yield_stress: of_layer(&self.yield_stress, layer),
+            equivalent_plastic_strain: strain
+                .get(layer * n_cells..(layer + 1) * n_cells)
+                .map_or(0.0, at),
         };
         (0..self.layers.len()).map(point).collect()
     }

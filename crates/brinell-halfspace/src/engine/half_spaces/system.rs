@@ -26,10 +26,6 @@ use brinell_method::contact_system::{BlockVector, ContactFigures, ContactSystem,
 use brinell_method::phases::Phase;
 use brinell_method::run::Run;
 
-/// Largest violation of a contact condition that the contact solver leaves: half of what the check
-/// lets pass.
-pub(super) const CONTACT_TOLERANCE: f64 = 5e-9;
-
 /// An elastic body: its operators, its initial stress, and its index among the bodies that can
 /// yield.
 #[derive(Clone)]

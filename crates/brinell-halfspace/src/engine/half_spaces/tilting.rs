@@ -11,7 +11,8 @@
 
 use super::moment::PrescribedMoment;
 use super::problem::BISECTIONS;
-use super::system::{CONTACT_TOLERANCE, HalfSpaces};
+use super::system::HalfSpaces;
+use crate::engine::CONTACT_TOLERANCE;
 use brinell_contact::{ContactLoad, ContactSolution, ContactSolver, ContactStatus};
 use brinell_method::contact_system::ContactSystem as _;
 use brinell_method::run::Run;

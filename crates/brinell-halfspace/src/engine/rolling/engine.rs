@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
+use crate::engine::CONTACT_TOLERANCE;
 use crate::engine::watch::watched;
 use crate::line::LineFlexibility;
 use crate::track::{Frame as _, Ground, Operators, TrackBody, TrackFault, TrackGrid};
@@ -29,10 +30,6 @@ use brinell_method::solve::{Engine, Round, Verdict, VerdictOf};
 const MAX_ENLARGEMENTS: usize = 4;
 /// Length that a track is given at most where flow reaches its ends, over the length asked for.
 const LONGEST: f64 = 4.0;
-
-/// Largest violation of a contact condition that an iterative contact solver leaves: half of what
-/// the check lets pass.
-const CONTACT_TOLERANCE: f64 = 5e-9;
 
 /// Tolerance of tracks that nothing but errors is found from: strains of late passes agree to three
 /// digits.

@@ -100,10 +100,8 @@ fn of_body(
         )
     };
     let friction = problem.frictions()[side];
-    let found = Fatigue::of(&passing, friction, strength, depths.clone(), at_rest, stop)?;
-    let Some(hertz) = problem.hertz(poisson) else { return Ok(Some(found)) };
-    let none = |_: f64, _: f64| 0.0;
-    Ok(Some(found.beside(&Fatigue::of(&hertz, friction, strength, depths, none, stop)?)))
+    let found = Fatigue::of(&passing, friction, strength, depths, at_rest, stop)?;
+    found.beside(problem.hertz(poisson).as_ref(), friction, strength, stop).map(Some)
 }
 
 /// The row of a layer that is nearest to a y.

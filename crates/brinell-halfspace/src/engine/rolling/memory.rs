@@ -1,5 +1,6 @@
 //! Bytes that a solve on a track holds.
 
+use crate::engine::FLOWING;
 use crate::raceway::RacewaySpace;
 use crate::track::TrackGrid;
 
@@ -10,8 +11,6 @@ use super::problem::RollingProblem;
 const NUMBERS_OF_CELL: usize = 40;
 /// Numbers of each cell that flows, in the differences of the acceleration.
 const NUMBERS_OF_FLOW: usize = 3 * 2 * 9;
-/// Part of the cells that flows.
-const FLOWING: usize = 4;
 
 /// Numbers that a body keeps of each cell and component on a track of finite width: increments,
 /// trials and their images.

@@ -1,6 +1,6 @@
 //! The concave circular trough.
 
-use crate::job::fields::{Field, Known, faults_of, record, unless};
+use crate::job::fields::{Field, Known, record, unless};
 use crate::job::{Domain, FieldError, PositiveF64};
 
 record! {
@@ -8,11 +8,11 @@ record! {
     #[derive(Copy)]
     pub struct Groove("groove", "Groove") where rules {
         /// Radius of the trough.
-        radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(30.0),
+        pub radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(30.0),
         /// Full width, at most twice the radius.
-        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(40.0),
+        pub width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(40.0),
         /// From the bottom of the trough to the base.
-        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
+        pub depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
     }
 }
 
@@ -23,46 +23,17 @@ fn rules(known: &Known) -> Vec<FieldError> {
     unless(spans, "/width", "must be at most twice `radius`").into_iter().collect()
 }
 
-impl Groove {
-    /// Builds the groove \[mm\] if a trough of this radius spans this width.
-    ///
-    /// # Errors
-    /// The fault, with a pointer relative to the shape.
-    pub fn new(
-        radius: PositiveF64,
-        width: PositiveF64,
-        depth: PositiveF64,
-    ) -> Result<Self, Vec<FieldError>> {
-        let groove = Self { radius, width, depth };
-        let faults = faults_of(&groove, &[]);
-        if faults.is_empty() { Ok(groove) } else { Err(faults) }
-    }
-
-    /// Returns the radius of the trough \[mm\].
-    pub const fn radius(&self) -> PositiveF64 {
-        self.radius
-    }
-
-    /// Returns the full width \[mm\].
-    pub const fn width(&self) -> PositiveF64 {
-        self.width
-    }
-
-    /// Returns the depth from the bottom of the trough to the base \[mm\].
-    pub const fn depth(&self) -> PositiveF64 {
-        self.depth
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::fields::faults_of;
 
     #[test]
     fn spans_at_most_its_diameter() {
         let mm = |value| PositiveF64::new(value).unwrap();
-        assert!(Groove::new(mm(10.0), mm(20.0), mm(5.0)).is_ok());
-        let faults = Groove::new(mm(10.0), mm(20.1), mm(5.0)).unwrap_err();
-        assert_eq!(faults, [FieldError::new("/width", "must be at most twice `radius`")]);
+        let faults =
+            |width| faults_of(&Groove { radius: mm(10.0), width: mm(width), depth: mm(5.0) }, &[]);
+        assert_eq!(faults(20.0), []);
+        assert_eq!(faults(20.1), [FieldError::new("/width", "must be at most twice `radius`")]);
     }
 }

@@ -1,6 +1,6 @@
 //! The hole around a pin.
 
-use crate::job::fields::{Field, Known, faults_of, record, unless};
+use crate::job::fields::{Field, Known, record, unless};
 use crate::job::{Domain, FieldError, PositiveF64};
 
 record! {
@@ -10,12 +10,12 @@ record! {
     #[derive(Copy)]
     pub struct Hole("hole", "Hole") where rules {
         /// Radius of the hole, larger than that of the cylinder in it.
-        radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(20.1),
+        pub radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(20.1),
         /// Radius of the disc, larger than that of the hole.
-        outer_radius: Option<PositiveF64> =
+        pub outer_radius: Option<PositiveF64> =
             Field::quantity(Domain::Length).label("Outer radius", "R_o").example(200.0),
         /// Width of the square plate, in place of `outer_radius`; only in plane analyses.
-        width: Option<PositiveF64> = Field::quantity(Domain::Length).label("Width of a square plate", "w"),
+        pub width: Option<PositiveF64> = Field::quantity(Domain::Length).label("Width of a square plate", "w"),
     }
 }
 
@@ -37,68 +37,35 @@ fn rules(known: &Known) -> Vec<FieldError> {
     faults.into_iter().flatten().collect()
 }
 
-/// The outer edge of the body around a hole.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum OuterEdge {
-    /// A circle of this radius \[mm\].
-    Circle(PositiveF64),
-    /// A square of this width \[mm\].
-    Square(PositiveF64),
-}
-
 impl Hole {
-    /// Builds the hole from its radius \[mm\] and the outer edge, if the edge lies around the
-    /// hole.
-    ///
-    /// # Errors
-    /// The fault, with a pointer relative to the shape.
-    pub fn new(radius: PositiveF64, edge: OuterEdge) -> Result<Self, Vec<FieldError>> {
-        let (outer_radius, width) = match edge {
-            OuterEdge::Circle(radius) => (Some(radius), None),
-            OuterEdge::Square(width) => (None, Some(width)),
-        };
-        let hole = Self { radius, outer_radius, width };
-        let faults = faults_of(&hole, &[]);
-        if faults.is_empty() { Ok(hole) } else { Err(faults) }
-    }
-
-    /// Returns the radius of the hole \[mm\].
-    pub const fn radius(&self) -> PositiveF64 {
-        self.radius
-    }
-
-    /// Returns the outer edge, which is held.
-    pub fn edge(&self) -> OuterEdge {
-        match (self.outer_radius, self.width) {
-            (_, Some(width)) => OuterEdge::Square(width),
-            (Some(radius), None) => OuterEdge::Circle(radius),
-            // The rules exclude a hole without an outer edge.
-            (None, None) => OuterEdge::Circle(self.radius),
-        }
-    }
-
     /// Returns the least thickness of the body around the hole \[mm\].
     pub fn wall(&self) -> f64 {
-        let edge = match self.edge() {
-            OuterEdge::Circle(radius) => radius.get(),
-            OuterEdge::Square(width) => 0.5 * width.get(),
-        };
-        edge - self.radius.get()
+        let square = self.width.map(|width| 0.5 * width.get());
+        let edge = square.or(self.outer_radius.map(f64::from));
+        edge.unwrap_or(f64::INFINITY) - self.radius.get()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::fields::faults_of;
 
     #[test]
     fn a_hole_has_one_outer_edge_around_it() {
         let mm = |value: f64| PositiveF64::new(value).unwrap();
-        assert!(Hole::new(mm(10.0), OuterEdge::Circle(mm(30.0))).is_ok());
-        let plate = Hole::new(mm(10.0), OuterEdge::Square(mm(60.0))).unwrap();
+        let hole = |outer_radius: Option<f64>, width: Option<f64>| Hole {
+            radius: mm(10.0),
+            outer_radius: outer_radius.map(mm),
+            width: width.map(mm),
+        };
+        let pointers = |hole: Hole| {
+            faults_of(&hole, &[]).into_iter().map(|fault| fault.pointer).collect::<Vec<_>>()
+        };
+        let plate = hole(None, Some(60.0));
+        assert!(pointers(hole(Some(30.0), None)).is_empty() && pointers(plate).is_empty());
         assert!((plate.wall() - 20.0).abs() < 1e-12);
-        let pointer = |edge| Hole::new(mm(10.0), edge).unwrap_err().remove(0).pointer;
-        assert_eq!(pointer(OuterEdge::Circle(mm(10.0))), "/outer_radius");
-        assert_eq!(pointer(OuterEdge::Square(mm(20.0))), "/width");
+        assert_eq!(pointers(hole(Some(10.0), None)), ["/outer_radius"]);
+        assert_eq!(pointers(hole(None, Some(20.0))), ["/width"]);
     }
 }

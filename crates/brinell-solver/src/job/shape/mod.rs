@@ -19,7 +19,7 @@ mod wedge;
 pub use block::Block;
 pub use cylinder::Cylinder;
 pub use groove::Groove;
-pub use hole::{Hole, OuterEdge};
+pub use hole::Hole;
 pub use power::{Ellipse, Parabola, Power};
 pub use profile::{Interpolation, Profile};
 pub use punch::Punch;

@@ -1,6 +1,6 @@
 //! Surfaces that fall off with a power of the distance, and the ellipse.
 
-use crate::job::fields::{Field, Known, faults_of, record, unless};
+use crate::job::fields::{Field, Known, record, unless};
 use crate::job::reader::text::five_digits;
 use crate::job::{Domain, FieldError, PositiveF64};
 
@@ -9,11 +9,11 @@ record! {
     #[derive(Copy)]
     pub struct Parabola("parabola", "Parabola") where parabola_rules {
         /// Radius of curvature at the vertex.
-        radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(20.0),
+        pub radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(20.0),
         /// Full width.
-        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(30.0),
+        pub width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(30.0),
         /// From the vertex to the base, more than the fall of the surface at its ends.
-        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
+        pub depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
     }
 }
 
@@ -22,13 +22,13 @@ record! {
     #[derive(Copy)]
     pub struct Power("power", "Power law") where power_rules {
         /// Exponent n; 2 is a parabola, a large one nearly a flat punch.
-        exponent: f64 = Field::pure(1.05..=50.0).label("Exponent", "n").example(4.0),
+        pub exponent: f64 = Field::pure(1.05..=50.0).label("Exponent", "n").example(4.0),
         /// Length L, the distance at which the surface has fallen by as much.
-        scale: PositiveF64 = Field::quantity(Domain::Length).label("Scale", "L").example(30.0),
+        pub scale: PositiveF64 = Field::quantity(Domain::Length).label("Scale", "L").example(30.0),
         /// Full width.
-        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(30.0),
+        pub width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(30.0),
         /// From the vertex to the base, more than the fall of the surface at its ends.
-        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
+        pub depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
     }
 }
 
@@ -69,89 +69,24 @@ fn power_rules(known: &Known) -> Vec<FieldError> {
     unless(fall < depth, "/depth", &detail).into_iter().collect()
 }
 
-impl Parabola {
-    /// Builds the shape from the radius at the vertex, the full width, and the depth from the
-    /// vertex to the base \[mm\].
-    ///
-    /// # Errors
-    /// The fault, with a pointer relative to the shape.
-    pub fn new(
-        radius: PositiveF64,
-        width: PositiveF64,
-        depth: PositiveF64,
-    ) -> Result<Self, Vec<FieldError>> {
-        let parabola = Self { radius, width, depth };
-        let faults = faults_of(&parabola, &[]);
-        if faults.is_empty() { Ok(parabola) } else { Err(faults) }
-    }
-
-    /// Returns the radius at the vertex \[mm\].
-    pub const fn radius(&self) -> PositiveF64 {
-        self.radius
-    }
-
-    /// Returns the full width \[mm\].
-    pub const fn width(&self) -> PositiveF64 {
-        self.width
-    }
-
-    /// Returns the depth from the vertex to the base \[mm\].
-    pub const fn depth(&self) -> PositiveF64 {
-        self.depth
-    }
-}
-
-impl Power {
-    /// Builds the shape from the exponent n, the length L at which the surface has fallen by L,
-    /// the full width, and the depth from the vertex to the base \[mm\].
-    ///
-    /// # Errors
-    /// Every fault, with a pointer relative to the shape.
-    pub fn new(
-        exponent: f64,
-        scale: PositiveF64,
-        width: PositiveF64,
-        depth: PositiveF64,
-    ) -> Result<Self, Vec<FieldError>> {
-        let power = Self { exponent, scale, width, depth };
-        let faults = faults_of(&power, &[]);
-        if faults.is_empty() { Ok(power) } else { Err(faults) }
-    }
-
-    /// Returns the exponent n.
-    pub const fn exponent(&self) -> f64 {
-        self.exponent
-    }
-
-    /// Returns the length L at which the surface has fallen by L \[mm\].
-    pub const fn scale(&self) -> PositiveF64 {
-        self.scale
-    }
-
-    /// Returns the full width \[mm\].
-    pub const fn width(&self) -> PositiveF64 {
-        self.width
-    }
-
-    /// Returns the depth from the vertex to the base \[mm\].
-    pub const fn depth(&self) -> PositiveF64 {
-        self.depth
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::fields::faults_of;
 
     #[test]
     fn surfaces_end_above_the_base() {
         let mm = |value: f64| PositiveF64::new(value).unwrap();
-        let power = |exponent: f64, scale: f64, width: f64, depth: f64| {
-            Power::new(exponent, mm(scale), mm(width), mm(depth)).is_ok()
+        let power = |exponent, scale, width, depth| {
+            let (scale, width, depth) = (mm(scale), mm(width), mm(depth));
+            faults_of(&Power { exponent, scale, width, depth }, &[]).is_empty()
         };
         assert!(power(1.2, 100.0, 20.0, 20.0) && power(10.0, 30.0, 20.0, 20.0));
         assert!(!power(1.0, 100.0, 20.0, 20.0) && !power(2.0, 1.0, 20.0, 20.0));
-        assert!(Parabola::new(mm(20.0), mm(30.0), mm(6.0)).is_ok());
-        assert!(Parabola::new(mm(20.0), mm(30.0), mm(5.0)).is_err());
+        let parabola = |depth| {
+            let parabola = Parabola { radius: mm(20.0), width: mm(30.0), depth: mm(depth) };
+            faults_of(&parabola, &[]).is_empty()
+        };
+        assert!(parabola(6.0) && !parabola(5.0));
     }
 }

@@ -1,6 +1,6 @@
 //! The flat punch.
 
-use crate::job::fields::{Field, Known, faults_of, record, unless};
+use crate::job::fields::{Field, Known, record, unless};
 use crate::job::{Domain, FieldError, NonNegativeF64, PositiveF64};
 
 record! {
@@ -8,11 +8,11 @@ record! {
     #[derive(Copy)]
     pub struct Punch("punch", "Flat punch") where rules {
         /// Full width with the edges, the diameter in axisymmetry.
-        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(10.0),
+        pub width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(10.0),
         /// Radius of the edges, less than half the width; sharp if it is 0 or left out.
-        edge_radius: Option<NonNegativeF64> = Field::quantity(Domain::Depth).label("Edge radius", "ρ"),
+        pub edge_radius: Option<NonNegativeF64> = Field::quantity(Domain::Depth).label("Edge radius", "ρ"),
         /// Height of the side walls, more than the edge radius.
-        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(20.0),
+        pub depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(20.0),
     }
 }
 
@@ -27,48 +27,17 @@ fn rules(known: &Known) -> Vec<FieldError> {
         .collect()
 }
 
-impl Punch {
-    /// Builds the punch from the full width, the radius of the edges, 0 for sharp edges, and the
-    /// height of the side walls \[mm\].
-    ///
-    /// # Errors
-    /// Every fault, with a pointer relative to the shape.
-    pub fn new(
-        width: PositiveF64,
-        edge_radius: NonNegativeF64,
-        depth: PositiveF64,
-    ) -> Result<Self, Vec<FieldError>> {
-        let punch = Self { width, edge_radius: Some(edge_radius), depth };
-        let faults = faults_of(&punch, &[]);
-        if faults.is_empty() { Ok(punch) } else { Err(faults) }
-    }
-
-    /// Returns the full width, or the diameter in axisymmetry \[mm\].
-    pub const fn width(&self) -> PositiveF64 {
-        self.width
-    }
-
-    /// Returns the radius of the edges \[mm\]; 0 for sharp edges.
-    pub fn edge_radius(&self) -> f64 {
-        self.edge_radius.map_or(0.0, f64::from)
-    }
-
-    /// Returns the height of the side walls \[mm\].
-    pub const fn depth(&self) -> PositiveF64 {
-        self.depth
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::fields::faults_of;
 
     #[test]
     fn a_punch_has_a_flat() {
         let mm = |value: f64| PositiveF64::new(value).unwrap();
         let faults = |width: f64, radius: f64, depth: f64| {
-            let built = Punch::new(mm(width), NonNegativeF64::new(radius).unwrap(), mm(depth));
-            built.map_or_else(|faults| faults.len(), |_| 0)
+            let edge_radius = NonNegativeF64::new(radius).ok();
+            faults_of(&Punch { width: mm(width), edge_radius, depth: mm(depth) }, &[]).len()
         };
         assert_eq!(faults(2.0, 0.0, 5.0) + faults(2.0, 0.9, 5.0), 0);
         assert_eq!(

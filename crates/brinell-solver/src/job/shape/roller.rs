@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use strum::{IntoStaticStr, VariantArray};
 
+use super::profile::{Profile, outline_faults};
 use crate::job::fields::{Field, Known, NumberKind, record, unless};
 use crate::job::{Domain, FieldError, Named, PositiveF64};
 
@@ -32,7 +33,7 @@ record! {
                 ("Height over the cylinder, negative where the surface \
                   falls.", NumberKind::Quantity(Domain::Position)),
             ],
-            2..=Roller::MAX_POINTS,
+            2..=Profile::MAX_POINTS,
         )
         .label("Points", "y, height"),
         /// Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left
@@ -79,9 +80,6 @@ impl RollerProfile {
 }
 
 impl Roller {
-    /// Most points of a profile.
-    pub const MAX_POINTS: usize = 10_000;
-
     /// Tilts that may be given \[mrad\].
     pub const fn tilts() -> RangeInclusive<f64> {
         -50.0..=50.0
@@ -120,28 +118,10 @@ fn rules(known: &Known) -> Vec<FieldError> {
     let is_tilted = known.has("tilt") && known.has("moment");
     faults.extend(unless(!is_tilted, "/moment", "stands in place of `tilt`; give one of them"));
     if wanted == Some("points") {
-        faults.extend(known.points("points").map(outline_faults).unwrap_or_default());
+        let middle = "the middle of the roller";
+        let points = known.points("points");
+        faults.extend(points.map(|of| outline_faults(of, "y", middle)).unwrap_or_default());
     }
-    faults
-}
-
-fn outline_faults(points: &[[f64; 2]]) -> Vec<FieldError> {
-    let falls = |(index, pair): (usize, &[[f64; 2]])| {
-        let holds = pair[1][0] > pair[0][0];
-        unless(
-            holds,
-            &format!("/points/{}/0", index + 1),
-            "must be greater than the y of the point before",
-        )
-    };
-    let mut faults: Vec<_> = points.windows(2).enumerate().filter_map(falls).collect();
-    let passes = points.first().is_some_and(|[y, _]| *y <= 0.0)
-        && points.last().is_some_and(|[y, _]| *y >= 0.0);
-    faults.extend(unless(
-        passes,
-        "/points",
-        "must reach from y <= 0 to y >= 0, the middle of the roller",
-    ));
     faults
 }
 

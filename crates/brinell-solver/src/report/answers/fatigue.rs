@@ -5,7 +5,6 @@ use strum::VariantArray as _;
 
 use super::{Answer, AnswerAt, AnswerBody, Bar, Facts, Name};
 use crate::job::{Named as _, Side};
-use crate::material::fatigue::Criterion;
 use crate::report::fatigue::{BodyFatigue, curve, remarks};
 use crate::report::findings::Finding;
 use crate::report::rolling::TrackVerdict;
@@ -30,9 +29,10 @@ impl Facts<'_> {
         };
         let is_elastic = self.is_as_elastic(fatigue);
         let mut rows = Vec::new();
-        for (criterion, used) in Criterion::ALL.into_iter().zip(&fatigue.criteria) {
-            let of = Some(criterion.into());
-            let row = |name: Name, value: Option<f64>| self.fatigue_row(body, name, of, value);
+        for (&criterion, used) in FatigueCriterion::VARIANTS.iter().zip(&fatigue.criteria) {
+            let row = |name: Name, value: Option<f64>| {
+                self.fatigue_row(body, name, Some(criterion), value)
+            };
             let Some(used) = used else {
                 rows.push(
                     row(Name::FatigueUtilization, None).not_known(
@@ -52,7 +52,7 @@ impl Facts<'_> {
                 let row = row.bar(Bar::none("the exponents in use differ"));
                 let row = Answer { at_least: Some(least), at_most: Some(most), ..row };
                 let row = row.text("over that of elastic bodies without residual stress");
-                if criterion == Criterion::DangVan { row } else { row.detail() }
+                if criterion == FatigueCriterion::DangVan { row } else { row.detail() }
             }));
             let part = Some(used.of_rest()).filter(|part| *part != 0.0);
             rows.extend(part.map(|part| {

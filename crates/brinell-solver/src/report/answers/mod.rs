@@ -14,15 +14,12 @@ pub use row::{Answer, AnswerAt, AnswerBody, AnswerPlace, ErrorBar, ErrorWord};
 
 use super::datum::Datum;
 use super::findings::{Finding, Voids};
-use super::known::{ErrorEstimate, FlowFigures, Known, Zone};
+use super::known::{ErrorEstimate, FlowFigures, Known, ROUNDING, Zone};
 use crate::contact::ContactLoad;
 use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory};
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::Figure;
 use crate::units::UnitConverter;
-
-/// Relative difference of forces that are alike.
-const ROUNDING: f64 = 1e-9;
 
 /// A largest value of a field, and its place. Lengths in mm, stresses in MPa.
 #[derive(Debug, Clone, Copy, PartialEq)]

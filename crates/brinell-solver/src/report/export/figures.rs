@@ -326,7 +326,7 @@ fn elastic_curves(job: &Job, body: &Body, step: &StepReport, reach: f64) -> Vec<
         return Vec::new();
     };
     let poisson = match job.analysis {
-        Analysis::PlaneStrain => material.elastic().poisson_ratio.get(),
+        Analysis::PlaneStrain => material.elastic.poisson_ratio.get(),
         Analysis::PlaneStress => 0.0,
         Analysis::Axisymmetric | Analysis::ThreeDimensional => return Vec::new(),
     };

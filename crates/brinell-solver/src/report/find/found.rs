@@ -12,22 +12,15 @@ use crate::units::{percent, rounded};
 /// Part of a bar within which a figure is as wanted, and its limits. Figures scatter by 1e-6 to
 /// 1e-3 from one input to the next (`docs/notes/find.md`).
 const GOOD: (f64, f64, f64) = (0.1, 1e-5, 1e-3);
-/// A bar in place of one that is not bounded.
-const NO_BAR: f64 = 0.01;
 /// Logarithm in place of that of a figure which is 0 or has the other sign.
 const FAR: f64 = 3.0;
-/// Differences of the logarithm of the input: within the first one scatter tells an elasticity,
-/// and beyond the second one the bend of the curve.
+/// Difference of the logarithm of the input within which scatter tells an elasticity. A look that
+/// is made for one is twice as far.
 const SCATTERS: f64 = 0.01;
-const NEAR: f64 = 0.1;
 /// Relative difference of two elasticities whose parabola tells the one between them.
 const EVEN: f64 = 0.05;
-/// Step of a look that is made for an elasticity.
-const STEP: f64 = 0.02;
 /// Relative error from which on both ends are told in place of a value.
 const POOR: f64 = 0.25;
-/// Least elasticity of a figure that tells an input.
-const LEAST_ELASTICITY: f64 = 0.01;
 
 /// One solved job, and its figure.
 struct Look {
@@ -83,8 +76,8 @@ pub fn seek(job: &Job, find: &Find, trials: &mut Trials<'_>) -> Result<Sought, R
         (found, slope)
     };
     let missed = found[0].off.abs();
-    let bar = seeker.looked(found[0]).and_then(|look| look.row.error.bound());
-    if missed > GOOD.2.max(bar.unwrap_or(NO_BAR)) {
+    let bar = seeker.looked(seeker.value(found[0].at)).and_then(|look| look.row.error.bound());
+    if missed > bar.unwrap_or_default().max(GOOD.2) {
         return Err(seeker.jumps(found[0], wanted));
     }
     seeker.sought(&found, slope, |bar| slope.map(|slope| (bar + missed) / slope.abs()))
@@ -110,9 +103,8 @@ impl Seeker<'_, '_> {
         self.find.vary.join(" and ")
     }
 
-    /// Returns the look at a point.
-    fn looked(&self, point: Point) -> Option<&Look> {
-        let value = self.value(point.at);
+    /// Returns the look with a value.
+    fn looked(&self, value: f64) -> Option<&Look> {
         self.looks.iter().find(|look| look.value.total_cmp(&value).is_eq())
     }
 
@@ -141,7 +133,7 @@ impl Seeker<'_, '_> {
             }));
         };
         let (part, least, most) = GOOD;
-        let good = (part * row.error.bound().unwrap_or(NO_BAR)).clamp(least, most);
+        let good = row.error.bound().map_or(most, |bar| (part * bar).clamp(least, most));
         let (off, good) = match wanted {
             Wanted::Value(wanted) if figure / wanted > 0.0 => ((figure / wanted).ln(), good),
             Wanted::Value(_) => (-FAR, good),
@@ -184,44 +176,33 @@ impl Seeker<'_, '_> {
         }
     }
 
-    /// Returns the elasticity of the figure at a value, by looks that are far enough from it: by
-    /// the nearest one, or by the parabola through two that nearly tell the same.
+    /// Returns the elasticity of the figure at a value: by the parabola through the two nearest
+    /// looks where they nearly tell the same, else by a look beside it.
     fn slope(&mut self, value: f64) -> Result<Option<f64>, RunError> {
         if value == 0.0 {
             return Ok(None);
         }
-        let is_here = |look: &&Look| look.value.total_cmp(&value).is_eq();
         let figure = |look: &Look| Some(look.figure);
-        if let Some(here) = self.looks.iter().find(is_here) {
-            let slopes = self.beside(value).into_iter();
-            let slopes = slopes.map(|look| Some((look, between((here, look), figure)?)));
-            let slopes: Vec<_> = slopes.take(2).collect();
-            match slopes[..] {
-                [Some((one, slope)), ..] if distance(one.value, value) <= NEAR => {
-                    return Ok(Some(slope));
-                }
-                [Some((one, slope)), Some((other, second))]
-                    if (slope - second).abs() <= EVEN * slope.abs() =>
-                {
-                    let bend = (second - slope) / (other.value / one.value).ln();
-                    return Ok(Some(slope + bend * (value / one.value).ln()));
-                }
-                _ => {}
-            }
+        if let (Some(here), &[one, other, ..]) = (self.looked(value), &self.beside(value)[..])
+            && let Some(slope) = between((here, one), figure)
+            && let Some(second) = between((here, other), figure)
+            && (slope - second).abs() <= EVEN * slope.abs()
+        {
+            let bend = (second - slope) / (other.value / one.value).ln();
+            return Ok(Some(slope + bend * (value / one.value).ln()));
         }
         let [low, high] = self.find.between;
-        let beside = [1.0 + STEP, 1.0 - STEP].map(|part| part * value);
+        let beside = [2.0, -2.0].map(|times| value * (times * SCATTERS).exp());
         let Some(beside) = beside.into_iter().find(|one| (low..=high).contains(one)) else {
             return Ok(None);
         };
         self.look(self.coordinate(beside))?;
-        let here = self.looks.iter().find(is_here);
-        Ok(here.zip(self.looks.last()).and_then(|pair| between(pair, figure)))
+        Ok(self.looked(value).zip(self.looks.last()).and_then(|pair| between(pair, figure)))
     }
 
     /// Returns the looks whose distance tells an elasticity, the nearest first.
     fn beside(&self, value: f64) -> Vec<&Look> {
-        let far = |look: &&Look| distance(look.value, value);
+        let far = |look: &&Look| (look.value / value).ln().abs();
         let is_far = |look: &&Look| (SCATTERS..f64::INFINITY).contains(&far(look));
         let mut looks: Vec<_> = self.looks.iter().filter(is_far).collect();
         looks.sort_by(|one, other| far(one).total_cmp(&far(other)));
@@ -248,7 +229,7 @@ impl Seeker<'_, '_> {
     /// Returns the refusal of a figure that jumps over the wanted value.
     fn jumps(&self, found: Point, wanted: f64) -> RunError {
         let value = self.value(found.at);
-        let here = self.looked(found).map_or(wanted, |look| look.figure);
+        let here = self.looked(value).map_or(wanted, |look| look.figure);
         let far = |look: &&Look| (look.value - value).abs();
         let others = self.looks.iter().filter(|look| (look.figure > wanted) != (here > wanted));
         let other = others.min_by(|one, other| far(one).total_cmp(&far(other)));
@@ -278,7 +259,7 @@ impl Seeker<'_, '_> {
         let values: Vec<f64> = points.iter().map(|point| self.value(point.at)).collect();
         let job = self.job.varied(&self.find.vary, values[0]);
         let job = job.map_err(|fault| refused("/find", words(&fault)))?;
-        let Some(here) = self.looked(points[0]) else {
+        let Some(here) = self.looked(values[0]) else {
             return Err(RunError::Failed("a search has not solved what it found".to_owned()));
         };
         let error = here.row.error.bound().and_then(error).filter(|error| error.is_finite());
@@ -346,8 +327,8 @@ impl Seeker<'_, '_> {
         let told = others.filter_map(|row| {
             let bar = row.error.bound().filter(|bar| *bar > 0.0)?;
             let of = |look: &Look| look.rows.iter().find(|other| other.is_alike(row))?.value;
-            let slope = between((here, there), of)?.abs();
-            (slope >= LEAST_ELASTICITY).then_some((bar / slope, row))
+            // No figure tells it better than it scatters.
+            Some((bar.max(GOOD.2) / between((here, there), of)?.abs(), row))
         });
         let (error, row) = told.min_by(|one, other| one.0.total_cmp(&other.0))?;
         let label = &row.label;
@@ -362,11 +343,6 @@ impl Seeker<'_, '_> {
             error: self.looks.iter().map(|look| look.row.error.bound()).collect(),
         }
     }
-}
-
-/// Returns the distance of two values of one sign as a logarithm.
-fn distance(one: f64, other: f64) -> f64 {
-    (one / other).ln().abs()
 }
 
 /// Returns the elasticity of a figure between two looks.

@@ -4,9 +4,6 @@
 const MOST: usize = 10;
 /// Looks at a least figure behind those at the five first places.
 const MOST_AT_LEAST: usize = 4;
-/// Part of the rise to the nearer neighbour by which a parabola may miss a look that it tells: one
-/// over a kink misses more.
-const MISSES: f64 = 0.1;
 /// Parts of the range at which an optimum is looked for.
 const INNER: [f64; 3] = [0.5, 0.25, 0.75];
 
@@ -110,7 +107,8 @@ fn inverse_parabola(here: Point, across: Point, before: Point) -> Option<f64> {
     })
 }
 
-/// Where a figure is least, and half the second derivative of `off` there; 0 at an end.
+/// Where a figure is least, and half the second derivative of `off` there; 0 at an end. Looks at
+/// the vertex of a parabola, which a kink misleads, and halves of the wider side take turns.
 ///
 /// # Errors
 /// Those of a look.
@@ -119,7 +117,6 @@ pub fn least<E>(
     look: &mut dyn FnMut(f64) -> Result<Point, E>,
 ) -> Result<(Point, f64), E> {
     let mut points = Vec::new();
-    let mut is_parabola = None;
     for part in [0.0, 1.0].into_iter().chain(INNER) {
         points.push(look(low + part * (high - low))?);
     }
@@ -134,21 +131,16 @@ pub fn least<E>(
         let slope = |one: Point, other: Point| (other.off - one.off) / (other.at - one.at);
         let (left, right) = (slope(before, middle), slope(middle, after));
         let bend = (right - left) / (after.at - before.at);
-        // The vertex of the parabola through the three points.
-        let at = f64::midpoint(before.at, middle.at) - left / (2.0 * bend);
-        let gain = bend * (at - middle.at).powi(2);
+        let vertex = f64::midpoint(before.at, middle.at) - left / (2.0 * bend);
+        let gain = bend * (vertex - middle.at).powi(2);
         let is_at_vertex = gain.is_nan() || gain <= middle.good;
-        if number == MOST_AT_LEAST || is_parabola == Some(true) && is_at_vertex {
+        if number == MOST_AT_LEAST || number > 1 && is_at_vertex {
             return Ok((middle, bend));
         }
+        let is_half = is_at_vertex || number % 2 == 1;
         let side = if after.at - middle.at > middle.at - before.at { after } else { before };
-        let trusts = is_parabola != Some(false) && !is_at_vertex;
-        let place = if trusts { at } else { f64::midpoint(middle.at, side.at) };
-        let point = look(place)?;
-        let told = middle.off - gain + bend * (place - at).powi(2);
-        let rise = before.off.min(after.off) - middle.off;
-        is_parabola = Some((point.off - told).abs() <= middle.good.max(MISSES * rise));
-        points.push(point);
+        let half = f64::midpoint(middle.at, side.at);
+        points.push(look(if is_half { half } else { vertex })?);
     }
     Ok((points[0], 0.0))
 }

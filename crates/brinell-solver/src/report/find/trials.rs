@@ -1,13 +1,9 @@
 //! The solves of a search: whole jobs with another number, told as preliminary.
 
-use std::ops::ControlFlow;
-use std::time::Duration;
-
 use crate::job::{FieldError, Job, JobError};
 use crate::report::{Answer, Report, RunError, StepReport};
-use crate::solver::{
-    Held, IncrementNumber, Interrupt, IterationRecord, Observer, Options, SolveStatus,
-};
+use crate::solver::method::observer::Retold;
+use crate::solver::{IncrementNumber, IterationRecord, Observer, Options, SolveStatus};
 
 /// Solves a job that asks for no input.
 pub type Solve = fn(
@@ -36,7 +32,14 @@ impl Trials<'_> {
         job.output.fields = false;
         self.made += 1;
         let (number, count) = (self.made, self.expected.max(self.made));
-        let observer = &mut Preliminary { observer: &mut *self.observer, number, count };
+        // Its number counts among the loads.
+        let observer = &mut Retold::preliminary(self.observer, |record| {
+            let alone = IncrementNumber { number: 1, count: 1, load: 1, loads: 1 };
+            let at = record.increment.unwrap_or(alone);
+            let load = (number - 1) * at.loads + at.load;
+            let increment = Some(IncrementNumber { load, loads: count * at.loads, ..at });
+            IterationRecord { increment, ..record.clone() }
+        });
         let mut steps = Vec::new();
         let report = (self.solve)(&job, self.options, observer, &mut |number, step| {
             steps.truncate(number);
@@ -81,38 +84,4 @@ pub fn refused(pointer: &str, detail: String) -> RunError {
 pub fn elasticity(inputs: [f64; 2], figures: [f64; 2]) -> Option<f64> {
     let [of_input, of_figure] = [inputs, figures].map(|[one, other]| (other / one).ln());
     Some(of_figure / of_input).filter(|slope| slope.is_finite())
-}
-
-/// Tells the iterations of a trial, with its number among the loads.
-struct Preliminary<'a> {
-    observer: &'a mut dyn Observer,
-    number: usize,
-    count: usize,
-}
-
-impl Observer for Preliminary<'_> {
-    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        let alone = IncrementNumber { number: 1, count: 1, load: 1, loads: 1 };
-        let at = record.increment.unwrap_or(alone);
-        let load = (self.number - 1) * at.loads + at.load;
-        let increment = Some(IncrementNumber { load, loads: self.count * at.loads, ..at });
-        let record = IterationRecord { increment, ..record.clone() };
-        self.observer.on_preliminary_iteration(&record)
-    }
-
-    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        self.on_iteration(record)
-    }
-
-    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
-        self.observer.on_checkpoint()
-    }
-
-    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
-        self.observer.on_held(part, bytes)
-    }
-
-    fn elapsed(&self) -> Duration {
-        self.observer.elapsed()
-    }
 }

@@ -46,7 +46,7 @@ pub(in crate::report) fn guesses(job: &Job) -> Vec<Finding> {
 }
 
 fn of_units(at: &str, material: &Deformable, units: Units) -> Option<Finding> {
-    let young_modulus = material.elastic().young_modulus.get();
+    let young_modulus = material.elastic.young_modulus.get();
     if units == Units::Si && young_modulus < SOFT {
         return Some(Finding::MillimetresInSi { pointer: format!("{at}/young_modulus") });
     }
@@ -78,9 +78,9 @@ fn of_units(at: &str, material: &Deformable, units: Units) -> Option<Finding> {
 }
 
 fn of_curve(at: &str, material: &Deformable) -> Option<Finding> {
-    let young_modulus = material.elastic().young_modulus.get();
+    let young_modulus = material.elastic.young_modulus.get();
     let pointer = |key: &str| format!("{at}/plasticity/{key}");
-    match material.plasticity()? {
+    match material.plasticity.as_ref()? {
         Hardening::Table(table) => {
             let points = table.points.as_slice();
             total_strain(pointer("points"), points, young_modulus)
@@ -131,7 +131,7 @@ fn offset_is_strain(pointer: String, law: &RambergOsgood, modulus: f64) -> Optio
 }
 
 fn of_depths(at: &str, material: &Deformable) -> Vec<Finding> {
-    let over_depth = material.over_depth();
+    let over_depth = material.over_depth.as_ref();
     let pointer = format!("{at}/plasticity/over_depth");
     let last = |points: &[[f64; 2]]| points.last().map_or(0.0, |point| point[0]);
     let deepest = over_depth.map(|profile| match profile {
@@ -141,7 +141,7 @@ fn of_depths(at: &str, material: &Deformable) -> Vec<Finding> {
         }
         OverDepth::Case(case) => (format!("{pointer}/hardness/case_depth"), case.case_depth.get()),
     });
-    let stressed = material.initial_stress().last();
+    let stressed = material.initial_stress.last();
     let stressed = stressed.map(|row| (format!("{at}/initial_stress"), row.depth.get()));
     let all = deepest.into_iter().chain(stressed).filter(|(_, deepest)| *deepest > DEEP);
     let mut found: Vec<_> =

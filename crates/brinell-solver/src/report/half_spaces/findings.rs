@@ -1,6 +1,6 @@
 //! Findings on an answer in three dimensions.
 
-use super::spots;
+use super::spots::{self, FEW_CELLS};
 use crate::inputs::along_axes;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
 use crate::material::Solid;
@@ -18,8 +18,6 @@ use crate::solver::method::figures::{Figure, FigureSet};
 use crate::solver::method::sought::{Loads, Sought};
 use crate::solver::{SolveStatus, bounded_strain};
 
-/// Number of cells over the shorter semi-axis below which the grid is called coarse.
-const COARSE_GRID: f64 = 5.0;
 /// Distance over the longer semi-axis within which the stress of the contact decays. The bodies
 /// must resemble half-spaces up to this distance beyond the contact.
 const REACH: f64 = 3.0;
@@ -144,7 +142,7 @@ fn inclined_pressure(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option
 fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
     let (grid, [a, b]) = (&step.field.surface.grid, step.figures.semi_axes());
     let number = (a / grid.hx()).min(b / grid.hy());
-    if step.is_preliminary || number <= 0.0 || number >= COARSE_GRID {
+    if step.is_preliminary || number <= 0.0 || number >= FEW_CELLS {
         return None;
     }
     let advice = if problem.heights.is_some() { FinerBy::Heights } else { FinerBy::Cells };

@@ -123,7 +123,7 @@ fn elastic_deflection(reference: &EllipticReference, step: &HalfSpaceStep) -> Ve
 /// Returns `(1 - ν²)/E` of a body, 0 for a rigid body.
 fn compliance(job: &Job, side: usize) -> f64 {
     match &[&job.upper, &job.lower][side].material {
-        Material::Deformable(material) => material.elastic().plane_strain_modulus().recip(),
+        Material::Deformable(material) => material.elastic.plane_strain_modulus().recip(),
         Material::Rigid => 0.0,
     }
 }

@@ -20,7 +20,7 @@ pub(super) fn error_of_onset(job: &Job, angle: f64, step: &HalfSpaceStep) -> f64
     let [a, b] = step.figures.semi_axes();
     let of_body = |body: &Body| {
         let yields = matches!(&body.material, Material::Deformable(material)
-            if material.plasticity().is_some());
+            if material.plasticity.is_some());
         let curvatures = body.shape.curvatures().filter(|_| yields)?;
         let [across, along] = along_axes(curvatures, angle).map(|k| (-k).max(0.0));
         Some((OF_SEAT * across.max(along)).max(if along > 0.0 {

@@ -7,8 +7,9 @@
 use crate::report::findings::Finding;
 use crate::solver::half_spaces::{HalfSpaceProblem, HalfSpaceStep, SurfaceMap};
 
-/// Cells over the half-width of a spot of their area below which no figure has a bar. Nine balls
-/// that yield have approaches 8, 5 and 3 % too small with 3, 4 and 5 cells.
+/// Cells over the shorter semi-axis below which a grid is called coarse, and over the half-width of a
+/// spot of their area below which no figure has a bar. Nine balls that yield have approaches 8, 5 and
+/// 3 % too small with 3, 4 and 5 cells.
 pub(super) const FEW_CELLS: f64 = 5.0;
 /// Part of the force on spots from which it counts.
 const SHARE: f64 = 0.05;

@@ -13,21 +13,22 @@ use super::{seats, spots};
 use crate::contact::ContactLoad;
 use crate::fatigue::not_smooth;
 use crate::inputs::SolveError;
-use crate::job::{Deformable, Job, Load, Material, Quantity};
+use crate::job::{Job, Load, Quantity};
 use crate::report::cost::JobEstimate;
 use crate::report::error_bars::BESIDE;
 use crate::report::fatigue;
 use crate::report::findings::{Finding, Known};
 use crate::report::known::ErrorEstimate;
-use crate::report::known::{self, Hertz, Onset, RollerFigures, Rough, Whole, Zone};
+use crate::report::known::{self, Hertz, Onset, ROUNDING, RollerFigures, Rough, Whole, Zone};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
+use crate::report::subsurface::below;
 use crate::report::{
     ContactNodes, ContactReport, IncrementsReport, MeshReport, Patch, PerBody, PlasticityReport,
     SubsurfaceReport,
 };
 use crate::solver::half_spaces::{
-    self, ColumnPoint, EllipticReference, HalfSpaceBody, HalfSpaceField, HalfSpaceProblem,
-    HalfSpaceRun, HalfSpaceStep, Row, target_error, target_figure, von_mises,
+    self, EllipticReference, HalfSpaceBody, HalfSpaceField, HalfSpaceProblem, HalfSpaceRun,
+    HalfSpaceStep, Row, target_error, target_figure,
 };
 use crate::solver::method::figures::{Figure, Values};
 use crate::solver::{Interrupt, Observer, Options, SLOPE_ERROR, StepReceiver};
@@ -35,8 +36,6 @@ use crate::units::UnitConverter;
 
 /// Relative error of an onset of yield in closed form, which is sought over some hundred depths.
 const CLOSED_FORM: f64 = 1e-3;
-/// Relative difference of semi-axes that are one radius.
-const ALIKE: f64 = 1e-9;
 /// Fractions of the contact area for which the quantile of the pressure is reported.
 const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
@@ -385,64 +384,9 @@ impl<'a> HalfSpaces<'a> {
     }
 
     fn profile(&self, body: &HalfSpaceBody, side: usize, place: [f64; 2]) -> SubsurfaceReport {
-        let write = self.write;
-        let points = body.column(place);
-        let column = |of: &dyn Fn(&ColumnPoint) -> f64| -> Vec<f64> {
-            points.iter().map(|point| write.figure(Quantity::Stress, of(point))).collect()
-        };
-        let component = |k: usize| column(&|point: &ColumnPoint| point.stress[k]);
-        let material = match &[&self.job.upper, &self.job.lower][side].material {
-            Material::Deformable(material) => Some(material),
-            Material::Rigid => None,
-        };
-        let limits = material.and_then(|material| strengths(material, &points));
-        let initial = material.filter(|material| !material.initial_stress().is_empty());
-        let initial = initial.map(|material| self.initial_stress(material, &points));
-        let of_initial = |k: usize| initial.as_ref().map(|columns| columns[k].clone());
-        SubsurfaceReport {
-            position: place.map(|length| write.length(length)).to_vec(),
-            depth: points.iter().map(|point| write.length(point.depth)).collect(),
-            sigma_x: component(0),
-            sigma_y: component(2),
-            sigma_z: component(1),
-            sigma_xx: Some(component(0)),
-            sigma_yy: Some(component(1)),
-            sigma_zz: Some(component(2)),
-            sigma_xy: Some(component(3)),
-            sigma_xz: Some(component(4)),
-            sigma_yz: Some(component(5)),
-            tau_max: column(&|point| largest_shear(point.stress)),
-            von_mises: column(&|point| von_mises(point.stress)),
-            equivalent_plastic_strain: points
-                .iter()
-                .map(|point| point.equivalent_plastic_strain)
-                .collect(),
-            utilization: limits.as_ref().map(|limits| {
-                points
-                    .iter()
-                    .zip(limits)
-                    .map(|(point, limit)| von_mises(point.stress) / limit)
-                    .collect()
-            }),
-            yield_stress: limits
-                .map(|limits| limits.iter().map(|limit| write.stress(*limit)).collect()),
-            initial_sigma_x: of_initial(0),
-            initial_sigma_y: of_initial(1),
-            initial_sigma_z: of_initial(2),
-        }
-    }
-
-    /// Returns the stresses before the load, `[along x, normal, along y]`.
-    fn initial_stress(&self, material: &Deformable, points: &[ColumnPoint]) -> [Vec<f64>; 3] {
-        let profile = material.initial_stress_profile();
-        let (sine, cosine) = self.orientation.sin_cos();
-        let at = |depth: f64| {
-            let [x, y] = profile.at(depth);
-            [cosine * cosine * x + sine * sine * y, 0.0, sine * sine * x + cosine * cosine * y]
-        };
-        let column =
-            |k: usize| points.iter().map(|point| self.write.stress(at(point.depth)[k])).collect();
-        std::array::from_fn(column)
+        let position = place.map(|length| self.write.length(length)).to_vec();
+        let material = self.problem.materials[side].as_ref();
+        below(material, self.orientation, position, &body.column(place), self.write)
     }
 
     /// Returns the absolute errors of the figures.
@@ -526,7 +470,7 @@ impl<'a> HalfSpaces<'a> {
         let errors = self.errors(step).filter(|_| self.problem.heights.is_none())?;
         let errors = errors.zip(&step.figures.values(), relative);
         let is_circle = step.field.hertz.is_some_and(|hertz| {
-            (hertz.semi_axis_x - hertz.semi_axis_y).abs() <= ALIKE * hertz.semi_axis_x
+            (hertz.semi_axis_x - hertz.semi_axis_y).abs() <= ROUNDING * hertz.semi_axis_x
         });
         let of = |axis: Figure| errors.get(axis, 0);
         if is_circle && self.problem.rollers.is_empty() {
@@ -597,48 +541,4 @@ fn dent(step: &HalfSpaceStep) -> Option<Vec<f64>> {
         }
     }
     Some(dent)
-}
-
-/// Returns the yield stresses at the depths of the points, or `None` for a constant strength.
-fn strengths(material: &Deformable, points: &[ColumnPoint]) -> Option<Vec<f64>> {
-    let (strength, nominal) =
-        (material.strength()?, material.hardening_law()?.nominal_yield_stress());
-    Some(points.iter().map(|point| nominal * strength.factor(point.depth)).collect())
-}
-
-/// Returns half the difference of the extreme principal stresses, from the Lode angle.
-fn largest_shear(stress: [f64; 6]) -> f64 {
-    let [xx, yy, zz, xy, xz, yz] = stress;
-    let equivalent = von_mises(stress);
-    if equivalent == 0.0 {
-        return 0.0;
-    }
-    let mean = (xx + yy + zz) / 3.0;
-    let [x, y, z] = [xx - mean, yy - mean, zz - mean];
-    let third = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
-    let angle = (13.5 * third / equivalent.powi(3)).clamp(-1.0, 1.0).acos() / 3.0;
-    // The principal deviators are 2/3 q cos θ and 2/3 q cos(θ ± 120°).
-    let turn = 2.0 * std::f64::consts::FRAC_PI_3;
-    (equivalent / 3.0) * (angle.cos() - (angle + turn).cos().min((angle - turn).cos()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_largest_shear_is_half_the_difference_of_principal_stresses() {
-        for (stress, expected) in [
-            ([300.0, 100.0, -500.0, 0.0, 0.0, 0.0], 400.0),
-            ([0.0, 0.0, 0.0, 70.0, 0.0, 0.0], 70.0),
-            ([0.0, 0.0, 0.0, 0.0, -70.0, 0.0], 70.0),
-            ([0.0; 6], 0.0),
-            ([100.0, 40.0, 40.0, 0.0, 0.0, 0.0], 30.0),
-            // Principal stresses 100, 40 and -150.
-            ([40.0, -60.0, 10.0, 0.0, 0.0, 120.0], 125.0),
-        ] {
-            let found = largest_shear(stress);
-            assert!((found - expected).abs() < 1e-6, "{stress:?} {found}");
-        }
-    }
 }

@@ -48,7 +48,7 @@ impl HardnessSeen {
         let loaded = self.0.iter().position(|seen| seen.force >= 0.999 * test.force())?;
         let Material::Deformable(specimen) = &job.lower.material else { return None };
         let modulus = 1.0
-            / (1.0 / specimen.elastic().plane_strain_modulus()
+            / (1.0 / specimen.elastic.plane_strain_modulus()
                 + 1.0 / test.elastic()?.plane_strain_modulus());
         let found = Found::of(test, job, &self.0, loaded)?;
         let law = specimen.hardening_law();

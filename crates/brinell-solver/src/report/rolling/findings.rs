@@ -7,12 +7,9 @@ use super::verdicts::{word, worst};
 use crate::job::Job;
 use crate::report::findings::{Advice, Finding, Unconverged, Wide, guesses};
 use crate::report::strength::by_hardness;
-use crate::report::validity::{WIDE_CONTACT, large_strain, smallest_radius};
+use crate::report::validity::{NEAR_SUPPORT, WIDE_CONTACT, large_strain, smallest_radius};
 use crate::solver::rolling::{RollingProblem, TrackStep};
 use crate::solver::{ElasticReference, SolveStatus};
-
-/// Distance over the half-width within which the stress of the contact decays.
-const REACH: f64 = 5.0;
 
 /// Returns the findings on a load that rolls.
 pub(super) fn findings(
@@ -65,7 +62,7 @@ pub(super) fn findings(
     if half_width > 0.0 {
         let across_roller = problem.is_line();
         let longest = last.half_width_across.map_or(half_width, |across| across.max(half_width));
-        findings.push(Finding::HalfSpaces { reach: REACH * longest, across_roller });
+        findings.push(Finding::HalfSpaces { reach: NEAR_SUPPORT * longest, across_roller });
     }
     findings
 }

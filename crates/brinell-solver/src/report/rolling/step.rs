@@ -18,12 +18,14 @@ use crate::report::fatigue::BodyFatigue;
 use crate::report::findings::Finding;
 use crate::report::hertz::line;
 use crate::report::known::ErrorEstimate;
-use crate::report::known::{Hertz, Known};
+use crate::report::known::{Hertz, Known, ROUNDING};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::solve_error::track_text;
+use crate::report::subsurface::below;
 use crate::report::{
     ContactNodes, ContactReport, LayersReport, MeshReport, Patch, PerBody, Side, SubsurfaceReport,
 };
+use crate::solver::half_spaces::ColumnPoint;
 use crate::solver::method::figures::{Figure, Values};
 use crate::solver::rolling::{
     self, FrictionLimit, HardeningRules, Pass, PassErrors, RollingProblem, TrackField, TrackRun,
@@ -31,9 +33,6 @@ use crate::solver::rolling::{
 };
 use crate::solver::{Interrupt, Observer, Options, SolveStatus, StepReceiver};
 use crate::units::UnitConverter;
-
-/// Difference below which two frictions are one.
-const SAME_FRICTION: f64 = 1e-9;
 
 /// What a rule of hardening says of both bodies.
 type Answered<'a> = (&'a [Option<Fatigue>; 2], &'a [Option<SteadyState>; 2]);
@@ -242,7 +241,7 @@ impl Passes<'_> {
         let write = self.write;
         let perfect = |friction: f64| {
             let mut limits = of_line.unwrap_or_default().iter();
-            let of_line = limits.find(|(at, _)| (at - friction).abs() < SAME_FRICTION);
+            let of_line = limits.find(|(at, _)| (at - friction).abs() < ROUNDING);
             // Of an ellipse the limit of free rolling alone is known.
             let free = || hertz?.shakedown.map(|[limit, _]| limit).filter(|_| friction <= 0.0);
             of_line.map(|(_, limit)| limit.peak_pressure).or_else(free)
@@ -426,60 +425,23 @@ impl Passes<'_> {
 
     /// Returns what the last pass has left over depth, far from the load.
     fn profile(&self, side: usize) -> Option<SubsurfaceReport> {
-        let write = self.write;
         let material = self.problem.materials[side].as_ref()?;
         let passes = || self.field.passes.iter().filter_map(|pass| pass.bodies[side].as_ref());
         let outlet = &passes().next_back()?.outlet;
-        let layers = || outlet.on_axis(&outlet.residual);
-        let stress =
-            |of: &dyn Fn(&[f64; 6]) -> f64| layers().map(|s| write.stress(of(s))).collect();
-        // On the axis σxy and σyz are zero: σyy is principal.
-        let von_mises = |[x, y, z, _, xz, _]: &[f64; 6]| {
-            let normal = (x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2);
-            (0.5 * normal + 3.0 * xz * xz).sqrt()
+        let accumulated = |layer: usize| {
+            let rows = outlet.across.len();
+            passes().map(|body| body.outlet.accumulated[layer * rows]).sum()
         };
-        let largest_shear = |[x, y, z, _, xz, _]: &[f64; 6]| {
-            let (mean, radius) = (0.5 * (x + z), f64::hypot(0.5 * (x - z), *xz));
-            0.5 * ((mean + radius).max(*y) - (mean - radius).min(*y))
-        };
-        let whole = |k: usize| (!self.problem.is_line()).then(|| stress(&|s| s[k]));
-        let rows = outlet.across.len();
-        let accumulated =
-            |layer: usize| passes().map(|body| body.outlet.accumulated[layer * rows]).sum();
-        let initial = material.initial_stress();
-        let is_stressed = !material.initial_stress().is_empty();
-        let before = |k: usize| {
-            let at = |depth: &f64| write.stress(initial.at(*depth)[k]);
-            is_stressed.then(|| outlet.depths.iter().map(at).collect::<Vec<f64>>())
-        };
-        let limits = material.hardening_law().zip(material.strength()).map(|(law, strength)| {
-            let at = |depth: &f64| law.nominal_yield_stress() * strength.factor(*depth);
-            outlet.depths.iter().map(at).collect::<Vec<f64>>()
-        });
-        Some(SubsurfaceReport {
-            position: if self.problem.is_line() { vec![0.0] } else { vec![0.0; 2] },
-            depth: outlet.depths.iter().map(|depth| write.length(*depth)).collect(),
-            sigma_x: stress(&|s| s[0]),
-            sigma_y: stress(&|s| s[2]),
-            sigma_z: stress(&|s| s[1]),
-            tau_max: stress(&largest_shear),
-            von_mises: stress(&von_mises),
-            equivalent_plastic_strain: (0..outlet.depths.len()).map(accumulated).collect(),
-            utilization: limits.as_ref().map(|limits| {
-                layers().zip(limits).map(|(stress, limit)| von_mises(stress) / limit).collect()
-            }),
-            yield_stress: limits
-                .map(|limits| limits.iter().map(|limit| write.stress(*limit)).collect()),
-            initial_sigma_x: before(0),
-            initial_sigma_y: before(0).map(|stresses| vec![0.0; stresses.len()]),
-            initial_sigma_z: before(1),
-            sigma_xx: whole(0),
-            sigma_yy: whole(1),
-            sigma_zz: whole(2),
-            sigma_xy: whole(3),
-            sigma_xz: whole(4),
-            sigma_yz: whole(5),
-        })
+        let stresses = outlet.on_axis(&outlet.residual).enumerate();
+        let points: Vec<ColumnPoint> = stresses
+            .map(|(layer, stress)| ColumnPoint {
+                depth: outlet.depths[layer],
+                stress: *stress,
+                equivalent_plastic_strain: accumulated(layer),
+            })
+            .collect();
+        let position = if self.problem.is_line() { vec![0.0] } else { vec![0.0; 2] };
+        Some(below(Some(material), 0.0, position, &points, self.write))
     }
 }
 
