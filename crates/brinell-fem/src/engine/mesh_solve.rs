@@ -11,7 +11,7 @@ use std::sync::Arc;
 use crate::assembly::{Extent, StressField};
 use crate::engine::body_solution::BodySolution;
 use crate::engine::body_system::body::BodyModel;
-use crate::engine::body_system::contact_patch::ContactPatch;
+use crate::engine::body_system::contact_patch::{ContactPatch, Pairs};
 use crate::engine::body_system::factor_cache::FactorCache;
 use crate::engine::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
 use crate::engine::body_system::system::System;
@@ -80,6 +80,8 @@ pub(crate) struct MeshSolve {
     pub fields: Vec<ModelField>,
     /// `None` where nothing touches.
     pub patch: Option<ContactPatch>,
+    /// The ends by which the next mesh is sized.
+    pub sizing_patch: Option<ContactPatch>,
     /// Whether the contact still reaches the edge of the zone.
     pub reaches_edge: bool,
     /// Interval beyond the zone on which the surfaces penetrate each other \[mm\].
@@ -96,9 +98,10 @@ impl MeshSolve {
         outcome: Outcome,
         fields: Vec<ModelField>,
     ) -> Self {
-        let Found { patch, reaches_edge, meets } =
+        let Found { patch, sizing_patch, reaches_edge, meets } =
             find_contact(problem, &system, &outcome, &fields);
-        Self { system, outcome, fields, patch, reaches_edge, meets, enlargements: 0 }
+        let enlargements = 0;
+        Self { system, outcome, fields, patch, sizing_patch, reaches_edge, meets, enlargements }
     }
 
     /// Returns the extent of plastic flow.
@@ -349,6 +352,7 @@ pub(crate) fn fits(problem: &Problem, zone: &ContactZone) -> bool {
 /// The ends of the contact, and whether the contact extends beyond the zone.
 struct Found {
     patch: Option<ContactPatch>,
+    sizing_patch: Option<ContactPatch>,
     reaches_edge: bool,
     meets: Option<(f64, f64)>,
 }
@@ -359,13 +363,17 @@ fn find_contact(
     outcome: &Outcome,
     fields: &[ModelField],
 ) -> Found {
-    let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
-    let patch =
-        ContactPatch::find(&x, &pressures, system.zone.is_symmetric(), |k| system.zone.edge(k))
-            .map(|patch| patch.within(problem.walls()));
+    let contact = &outcome.state.response.contact;
+    let (x, pressure) = system.pressure_over_x(&contact.force);
+    let symmetric = system.zone.is_symmetric();
+    let pairs = Pairs { x: &x, pressure: &pressure, gap: &contact.gap, symmetric };
+    let within = |patch: ContactPatch| patch.within(problem.walls());
+    let patch = ContactPatch::find(pairs, |k| system.zone.edge(k)).map(within);
+    let sizing_patch = ContactPatch::for_sizing(pairs, |k| system.zone.edge(k)).map(within);
     let is_known = !outcome.status.is_stopped() && problem.may_touch_elsewhere();
     let meets = is_known.then(|| meets_beyond_zone(problem, system, outcome, fields)).flatten();
-    Found { patch, reaches_edge: meets.is_some() || reaches_edge(problem, system, outcome), meets }
+    let reaches_edge = meets.is_some() || reaches_edge(problem, system, outcome);
+    Found { patch, sizing_patch, reaches_edge, meets }
 }
 
 /// Whether one of the outermost two pairs of an open end of the zone carries force; only the

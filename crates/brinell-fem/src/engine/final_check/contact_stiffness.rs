@@ -7,6 +7,7 @@
 //! ```
 
 use crate::engine::ContactPatch;
+use crate::engine::body_system::contact_patch::BEFORE_NODE;
 use crate::engine::body_system::system::System;
 use brinell_method::couplings::iteration::State;
 use dense_cholesky::DenseCholesky;
@@ -41,10 +42,9 @@ fn stiffness(system: &System, pairs: &[usize]) -> f64 {
     system.whole_load(&force)
 }
 
-/// Part of an element by which active pairs reach beyond the outermost of them. With it the
-/// stiffness of elastic cylinders agrees with the slope of their load-approach curve to 0.1 % at
-/// 10 to 40 elements over the half-width.
-const OVERHANG: f64 = 0.25;
+/// Part of an element by which active pairs reach beyond the outermost of them: the middle of the
+/// ends that they serve.
+const OVERHANG: f64 = 0.5 - BEFORE_NODE;
 
 /// Returns the stiffness that the parts of elements between the outermost active pairs and the ends
 /// of the contact add.

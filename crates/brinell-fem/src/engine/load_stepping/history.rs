@@ -252,7 +252,7 @@ impl Memory for HistoryOnMesh<'_> {
             }
             memory.flows |= body_flows(flowing, plastic);
         }
-        let half_width = solve.patch.map_or(0.0, |patch| patch.half_width());
+        let half_width = solve.sizing_patch.map_or(0.0, |patch| patch.half_width());
         if solve.has_collapsed() {
             // It tells neither the width under the whole load nor where the bodies flow.
             memory.size = self.of_history.size;

@@ -398,7 +398,7 @@ impl ContactSizeEstimate {
 
     /// The extent that a pass found; `self` where nothing touched.
     pub fn found_by(self, pass: &MeshSolve) -> Self {
-        let Some(patch) = pass.patch else { return self };
+        let Some(patch) = pass.sizing_patch else { return self };
         let zone = &pass.system.zone;
         let own_width = |left: f64, right: f64| {
             if zone.is_symmetric() && left == 0.0 { right } else { 0.5 * (right - left) }
