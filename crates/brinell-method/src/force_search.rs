@@ -27,8 +27,8 @@ const INSENSITIVE: f64 = 0.02;
 const FLAT: f64 = 0.03;
 /// Least difference of the logarithms of two forces whose fine solves give a slope.
 const SLOPE_SPAN: f64 = 0.02;
-/// Ratio of a second force to the first one, for the slope, where the first force meets the value
-/// already.
+/// Ratio of the first force to a second one, for the slope, where the first force meets the value
+/// already. A larger second force may not be solvable.
 const NEIGHBOUR: f64 = 1.1;
 /// Largest change of the logarithm of the force between fine solves.
 const LARGEST_CORRECTION: f64 = 0.3;
@@ -267,7 +267,7 @@ fn coarse<T: Trials>(trials: &T, terms: Terms, run: &mut Run<'_>) -> Result<(f64
                     return Err(unreachable(near, 1.0, UnreachableReason::Insensitive).into());
                 }
                 Some(slope) => return Ok((near, slope)),
-                None => force = near * NEIGHBOUR,
+                None => force = near / NEIGHBOUR,
             }
             continue;
         }

@@ -1,10 +1,10 @@
 //! Error bars: estimated bounds of the discretization errors in the figures of a load step.
 //!
 //! ```text
-//! bar · |x| = F |x(h) - x(2h)| + L (h/a)^p · scale + |x(Δt) - x(2Δt)|
+//! bar · |x| = |x(h) - x(2h)| + L (h/a)^p · scale + |x(Δt) - x(2Δt)|
 //! ```
 //! h is the element size and Δt stands for the increments of flow theory. a is the half-width of
-//! the contact or, without contact, the largest half-width of the history. F, L and p are those of
+//! the contact or, without contact, the largest half-width of the history. L and p are those of
 //! a [bound](crate::solver::method::bounds). The scale is |x|, except for these figures:
 //!
 //! - approach and dent: the largest approach of the history;

@@ -88,7 +88,7 @@ fn pins_of_persson() {
 }
 
 /// A plate that is narrow holds its hole: the contact is narrower, by 3 % where it is 6 radii
-/// wide.
+/// wide (43.54° with 14 to 80 elements).
 #[test]
 fn a_narrow_plate_has_a_narrow_contact() {
     let (_, force) = persson(45.0);
@@ -96,8 +96,8 @@ fn a_narrow_plate_has_a_narrow_contact() {
         let hole = json!({"type": "hole", "radius": RADIUS + CLEARANCE, "outer_radius": outer});
         step(&pin(&hole, &json!({"force": force})))[Name::HalfAngle]
     };
-    assert_within(angle(300.0), 45.0, 2.5e-3);
-    assert_within(angle(30.0), 43.66, 2e-3);
+    assert_within(angle(300.0), 45.0, 1.5e-3);
+    assert_within(angle(30.0), 43.54, 1e-3);
 }
 
 /// A narrow contact is Hertz's whatever the clearance: plane strain, plane stress, a ball in its

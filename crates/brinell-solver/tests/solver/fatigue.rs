@@ -188,7 +188,7 @@ fn pressures_of_other_kinds_have_no_utilization() {
     assert_unknown(&bumps, "several parts");
     let mut punch = line(&steel(&limits()), &json!({"force": 3000}));
     punch["upper"]["shape"] = json!({"type": "punch", "width": 10, "depth": 20, "edge_radius": 1});
-    punch["mesh"] = json!({"elements_per_half_width": 8});
+    punch["mesh"] = json!({"elements_per_half_width": 10});
     assert_unknown(&punch, "stands at the edge");
     let mut roller = static_job(7);
     roller["upper"]["shape"] = json!({"type": "roller", "radius": 5, "length": 10});

@@ -207,6 +207,27 @@ fn a_ring_of_few_elements_has_no_bars() {
     );
 }
 
+/// Equal cylinders at 4.4 yield stresses that harden: on fine meshes strain is largest at the ends of
+/// the contact, where it has no limit; beside them it has.
+#[test]
+fn the_largest_strain_is_that_beside_the_ends_of_the_contact() {
+    let material = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 1000, "tangent_modulus": 2100}});
+    let body = json!({"shape": {"type": "cylinder", "radius": 35}, "material": material});
+    let [coarse, fine] = [20, 50].map(|elements| {
+        let job = json!({"analysis": "plane_strain", "upper": body, "lower": body,
+            "load": {"force": 9162}, "solver": {"theory": "deformation"},
+            "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}});
+        report(&job).steps.remove(0)
+    });
+    let bar = coarse.bar(Name::MaxPlasticStrain).unwrap();
+    let [found, exact] = [&coarse, &fine].map(|step| step[Name::MaxPlasticStrain]);
+    assert!((exact / found - 1.0).abs() < bar && bar < 0.05, "{found} {exact} {bar}");
+    assert!(remark(&coarse, "unbounded_strain").is_none());
+    let told = remark(&fine, "unbounded_strain").unwrap();
+    assert!(told.contains("At the ends of the contact plastic strain reaches 2."), "{told}");
+}
+
 /// Cylinders under a load or target.
 fn cylinders(tangent_modulus: f64, load: &Value) -> Value {
     let material = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
