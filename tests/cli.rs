@@ -205,7 +205,7 @@ fn tables_of_examples_keep_to_80_columns() {
     for name in ["ball_runs_in", "rolled_hardened_roller", "ellipse_dent"] {
         let path = format!("{}/api/examples/{name}.json", env!("CARGO_MANIFEST_DIR"));
         let mut job: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
-        job["mesh"] = json!({"elements_per_half_width": 5});
+        job["mesh"] = json!({"elements_per_half_width": 8});
         let table = shown(&job);
         assert!(table.lines().count() > 20, "{table}");
     }
