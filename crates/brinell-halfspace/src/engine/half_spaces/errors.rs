@@ -48,7 +48,9 @@ pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Valu
             Figure::MaxPlasticStrain => BY_ELEMENTS,
             // The pressure of a tilted roller rises to single cells at its end.
             Figure::PeakPressure if step.field.tilt.abs() > 0.0 => BY_ELEMENTS,
-            Figure::HalfWidth | Figure::SemiAxisY | Figure::PileUp => FIRST_ORDER,
+            Figure::HalfWidth | Figure::SemiAxisY | Figure::ContactArea | Figure::PileUp => {
+                FIRST_ORDER
+            }
             _ => SECOND_ORDER,
         };
         let [size, value] = [&relative, &found].map(|of| of.get(figure, side).unwrap_or_default());
