@@ -143,9 +143,9 @@ mod tests {
 
     #[test]
     fn a_mesh_is_refined_until_the_figures_are_met() {
-        let report = cylinders(0.02);
+        let report = cylinders(0.006);
         let (label, error) = worst(&report, &report.steps).unwrap();
-        assert!(error <= 0.02 && report.validity.is_empty(), "{label} {error}");
+        assert!(error <= 0.006 && report.validity.is_empty(), "{label} {error}");
         let coarse = cylinders(0.2);
         assert!(coarse.mesh.nodes < report.mesh.nodes);
     }
