@@ -252,7 +252,7 @@ impl EigenstrainStress {
 
 /// The first numbers of a row.
 #[inline(always)]
-fn lanes(row: &[f64]) -> Lanes {
+pub(crate) fn lanes(row: &[f64]) -> Lanes {
     let mut lanes = [0.0; WIDTH];
     lanes.copy_from_slice(&row[..WIDTH]);
     lanes

@@ -216,19 +216,30 @@ pub fn largest_shear(stress: &Stress) -> f64 {
     tresca(isometric(stress))
 }
 
-/// Half the difference of the extreme principal values of a deviator, by Lode's angle θ: with
-/// `J2 = s:s/2` and `cos 3θ = (√27/2) J3/J2^(3/2)` it is `√J2 sin(θ + π/3)`.
+/// The largest principal stress.
+pub fn largest_principal(stress: &Stress) -> f64 {
+    let (size, angle) = lode(isometric(stress));
+    hydrostatic(stress) + 2.0 / 3f64.sqrt() * size * angle.cos()
+}
+
 fn tresca(deviator: Isometric) -> f64 {
+    let (size, angle) = lode(deviator);
+    size * (angle + std::f64::consts::FRAC_PI_3).sin()
+}
+
+/// `√J2` of a deviator with `J2 = s:s/2`, and Lode's angle θ with `cos 3θ = (√27/2) J3/J2^(3/2)`: its
+/// principal values are `2 √(J2/3) cos θ` and `2 √(J2/3) cos(θ ± 120°)`.
+fn lode(deviator: Isometric) -> (f64, f64) {
     let [difference, normal, xy, xz, yz] = deviator.map(|coordinate| coordinate / 2f64.sqrt());
     let second: f64 = deviator.iter().map(|coordinate| 0.5 * coordinate * coordinate).sum();
     if second <= 0.0 {
-        return 0.0;
+        return (0.0, 0.0);
     }
     let zz = 2.0 / 3f64.sqrt() * normal;
     let (xx, yy) = (difference - 0.5 * zz, -difference - 0.5 * zz);
     let third = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
     let cosine = 0.5 * 27f64.sqrt() * third / second.powf(1.5);
-    second.sqrt() * (cosine.clamp(-1.0, 1.0).acos() / 3.0 + std::f64::consts::FRAC_PI_3).sin()
+    (second.sqrt(), cosine.clamp(-1.0, 1.0).acos() / 3.0)
 }
 
 #[cfg(test)]
@@ -306,9 +317,11 @@ mod tests {
         };
         for (a, b) in [(0.0, 0.0), (0.5, 0.0), (0.52, 0.87), (2.0, -1.1)] {
             near(largest_shear(&turned(a, b)), 4.5, 1e-12);
+            near(largest_principal(&turned(a, b)), 5.0, 1e-12);
         }
         near(largest_shear(&[100.0, 40.0, 40.0, 0.0, 0.0, 0.0]), 30.0, 1e-6);
         near(largest_shear(&[0.0; 6]), 0.0, 0.0);
+        near(largest_principal(&[-5.0, -5.0, -5.0, 0.0, 0.0, 0.0]), -5.0, 1e-12);
     }
 
     /// Stress in the plane of travel below the middle of a contact of half-width and peak pressure 1,

@@ -10,9 +10,9 @@ pub fn description(job: &Job) -> String {
     if let Some(test) = job.load.hardness() {
         return format!("{} of {}", test.name(), material(&job.lower));
     }
-    let [upper, lower] = [&job.upper, &job.lower].map(|body| outline(body, job));
+    let [upper, lower] = job.bodies().map(|body| outline(body, job));
     let joint = if matches!(job.lower.shape, Shape::Hole(_)) { "in" } else { "on" };
-    let [above, below] = [&job.upper, &job.lower].map(material);
+    let [above, below] = job.bodies().map(material);
     let materials = if above == below { above } else { format!("{above} on {below}") };
     format!("{upper} {joint} {lower}, {}, {materials}", load(job))
 }

@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use crate::eigenstrain_stress::{COEFFICIENTS, coefficients_of};
+use crate::eigenstrain_stress::{COEFFICIENTS, coefficients_of, lanes};
 use crate::track::Ground;
 use crate::waves::WIDTH;
 
@@ -133,12 +133,4 @@ impl Sweep {
             }
         }
     }
-}
-
-/// The first numbers of a row.
-#[inline(always)]
-fn lanes(row: &[f64]) -> Lanes {
-    let mut lanes = [0.0; WIDTH];
-    lanes.copy_from_slice(&row[..WIDTH]);
-    lanes
 }

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::plane::solid;
 use super::settings::{loads, settings};
 use super::slopes::of_slopes;
-use crate::job::{Analysis, Body, Job, Material, Roller, RollerProfile, Shape};
+use crate::job::{Analysis, Body, Job, Roller, RollerProfile, Shape};
+use crate::material::Solid;
 use crate::solver::half_spaces::{
     Conformity, EllipticReference, HalfSpaceProblem, HeightMap, Relief, RollerGap,
 };
@@ -37,10 +37,10 @@ pub fn elliptic_reference(job: &Job) -> Option<EllipticReference> {
 
 /// Returns the problem without its onset of yield.
 fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
-    let [upper, lower] = [&job.upper, &job.lower].map(|body| body.shape.curvatures());
+    let [upper, lower] = job.bodies().map(|body| body.shape.curvatures());
     let (upper, lower) = (upper?, lower?);
     let problem = (job.analysis == Analysis::ThreeDimensional).then(|| HalfSpaceProblem {
-        materials: [solid(&job.upper.material), solid(&job.lower.material)],
+        materials: job.bodies().map(|body| body.deformable().map(Solid::from)),
         curvature: std::array::from_fn(|k| upper[k] + lower[k]),
         conformity: Conformity::default(),
         rollers: rollers(job),
@@ -68,8 +68,7 @@ pub(crate) fn along_axes([xx, yy, xy]: [f64; 3], angle: f64) -> [f64; 2] {
 
 /// Returns the sum of the heights of both bodies.
 fn heights(job: &Job) -> Option<HeightMap> {
-    let mut surfaces =
-        [&job.upper, &job.lower].into_iter().filter_map(|body| body.surface.as_ref());
+    let mut surfaces = job.bodies().into_iter().filter_map(|body| body.surface.as_ref());
     let first = surfaces.next()?;
     let mut heights = first.levelled();
     for surface in surfaces {
@@ -82,12 +81,8 @@ fn heights(job: &Job) -> Option<HeightMap> {
 
 /// Returns the rollers among the bodies of a job.
 fn rollers(job: &Job) -> Vec<RollerGap> {
-    let bodies = [&job.upper, &job.lower];
-    let compliance = |body: &Body| match &body.material {
-        Material::Rigid => 0.0,
-        Material::Deformable(material) => material.elastic.plane_strain_modulus().recip(),
-    };
-    let modulus = bodies.map(compliance).iter().sum::<f64>().recip();
+    let bodies = job.bodies();
+    let modulus = bodies.map(Body::compliance).iter().sum::<f64>().recip();
     let roller = |body: &&Body| match &body.shape {
         Shape::Roller(roller) => Some(RollerGap {
             radius: roller.radius.get(),

@@ -7,7 +7,7 @@ use super::slopes::of_slopes;
 use crate::fem::assembly;
 use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
-use crate::job::{Analysis, Body, FarSupport, Job, Material, Shape};
+use crate::job::{Analysis, Body, FarSupport, Job, Shape};
 use crate::material::Solid;
 use crate::solver::{
     Asked, ElasticReference, GivenBody, MeshedContact, Observer, Options, Problem, Solution,
@@ -47,20 +47,12 @@ pub const fn support(of_body: FarSupport) -> assembly::Support {
 fn given(body: &Body, outline: Outline) -> GivenBody {
     GivenBody {
         outline,
-        material: solid(&body.material),
+        material: body.deformable().map(Solid::from),
         support: support(body.support),
         interpolation_is_open: matches!(
             &body.shape,
             Shape::Profile(profile) if profile.interpolation.is_none()
         ),
-    }
-}
-
-/// Returns the material of a body that deforms.
-pub(super) fn solid(material: &Material) -> Option<Solid> {
-    match material {
-        Material::Rigid => None,
-        Material::Deformable(material) => Some(material.into()),
     }
 }
 

@@ -7,7 +7,7 @@ use strum::{IntoStaticStr, VariantArray};
 
 use super::fields::InUnits;
 use super::reader::Cursor;
-use super::{Analysis, Material, Named, Shape, Surface, Units, name};
+use super::{Analysis, Deformable, Material, Named, Shape, Surface, Units, name};
 
 /// One body of the contact: its shape, its material and the support of its far boundary.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,9 +27,19 @@ pub struct Body {
 impl Body {
     /// Returns Young's modulus \[MPa\]; `None` for a rigid body.
     pub fn young_modulus(&self) -> Option<f64> {
+        self.deformable().map(|material| material.elastic.young_modulus.get())
+    }
+
+    /// Returns `(1 - ν²)/E` \[1/MPa\]; 0 of a rigid body.
+    pub fn compliance(&self) -> f64 {
+        self.deformable().map_or(0.0, |material| material.elastic.plane_strain_modulus().recip())
+    }
+
+    /// Returns the material; `None` of a rigid body.
+    pub const fn deformable(&self) -> Option<&Deformable> {
         match &self.material {
+            Material::Deformable(material) => Some(material),
             Material::Rigid => None,
-            Material::Deformable(material) => Some(material.elastic.young_modulus.get()),
         }
     }
 

@@ -9,8 +9,8 @@ use super::fields::{InUnits, read_settings, read_settings_from};
 use super::reader::{self, Cursor, Faults, Node};
 use super::{
     Analysis, Body, Domain, FatigueLimits, FaultCode, FieldError, Find, HardnessTest, JobError,
-    Load, Material, MeshSettings, Method, Named as _, OutputSettings, Side, SolverSettings,
-    Theory, Tolerance, Units, hardness, name, tags,
+    Load, MeshSettings, Method, Named as _, OutputSettings, Side, SolverSettings, Theory,
+    Tolerance, Units, hardness, name, tags,
 };
 
 /// A complete, valid job. All figures are in N–mm–MPa; [`Job::units`] are the units of the wire
@@ -85,12 +85,15 @@ impl Job {
         Self::from_value(&wire).map(drop)
     }
 
+    /// Both bodies, the upper one first.
+    pub const fn bodies(&self) -> [&Body; 2] {
+        [&self.upper, &self.lower]
+    }
+
     /// Whether at least one body has a hardening law.
     pub(super) fn has_plasticity(&self) -> bool {
-        let bodies = [&self.upper, &self.lower];
-        bodies.iter().any(
-            |body| matches!(&body.material, Material::Deformable(of) if of.plasticity.is_some()),
-        )
+        let yields = |body: &Body| body.deformable().is_some_and(|of| of.plasticity.is_some());
+        self.bodies().into_iter().any(yields)
     }
 
     /// The theory of plasticity, where a body can yield.
@@ -113,11 +116,7 @@ impl Job {
 
     /// The limits of fatigue of a body.
     pub fn fatigue(&self, side: Side) -> Option<FatigueLimits> {
-        let body = if side == Side::Upper { &self.upper } else { &self.lower };
-        match &body.material {
-            Material::Deformable(material) => material.fatigue,
-            Material::Rigid => None,
-        }
+        self.bodies()[side.member()].deformable()?.fatigue
     }
 
     fn solvable(document: &Node) -> Result<Self, JobError> {

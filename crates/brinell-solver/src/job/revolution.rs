@@ -51,7 +51,7 @@ impl Job {
     fn faults_of_initial_stress(&self) -> Vec<FieldError> {
         let mut faults = Vec::new();
         for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
-            let Material::Deformable(material) = &body.material else { continue };
+            let Some(material) = body.deformable() else { continue };
             let key = format!("/{side}/material/{}", InitialStress::KEY);
             for mut fault in InitialStress::faults_in(&material.initial_stress, self.analysis) {
                 fault.pointer.insert_str(0, &key);

@@ -35,9 +35,7 @@ impl Job {
                     fault("/solver/increments".to_owned(), detail);
                 }
                 for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
-                    if let Material::Deformable(material) = &body.material
-                        && !material.backstress.is_empty()
-                    {
+                    if body.deformable().is_some_and(|material| !material.backstress.is_empty()) {
                         let detail =
                             "deformation theory knows no backstress; it needs the theory `flow`";
                         fault(format!("/{side}/material/plasticity/backstress"), detail);
@@ -70,9 +68,7 @@ impl Job {
         }
         if let Load::Target(Target { figure: figure @ TargetFigure::MaxPlasticStrain, value }) =
             self.load
-            && [&self.upper, &self.lower]
-                .into_iter()
-                .any(|body| does_not_harden(&body.material, value.get()))
+            && self.bodies().into_iter().any(|body| does_not_harden(&body.material, value.get()))
         {
             let detail = "the largest plastic strain of a material that does not harden has no \
                           limit on smaller and smaller elements, so that it tells no force; ask \

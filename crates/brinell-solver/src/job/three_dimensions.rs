@@ -142,7 +142,7 @@ impl Job {
     /// Refuses moments on two rollers, without given forces, or beyond the limit of the contact.
     fn faults_of_moments(&self) -> Vec<FieldError> {
         let pointers = ["/upper/shape/moment", "/lower/shape/moment"].into_iter();
-        let moments = [&self.upper, &self.lower].map(|body| match &body.shape {
+        let moments = self.bodies().map(|body| match &body.shape {
             Shape::Roller(roller) => roller.moment,
             _ => None,
         });
@@ -200,8 +200,7 @@ impl Job {
     /// end there.
     fn faults_of_gap(&self) -> Vec<FieldError> {
         let Some([least, greatest]) = self.gap_curvatures() else { return Vec::new() };
-        let ends =
-            [&self.upper, &self.lower].iter().any(|body| matches!(body.shape, Shape::Roller(_)));
+        let ends = self.bodies().iter().any(|body| matches!(body.shape, Shape::Roller(_)));
         let needed = if ends { -LEAST_CURVATURE_RATIO } else { LEAST_CURVATURE_RATIO };
         if greatest > 0.0 && least >= needed * greatest {
             return self.faults_of_rollers();

@@ -21,7 +21,7 @@ pub(super) enum Datum {
 impl Datum {
     /// Returns the datum of meshed bodies.
     pub fn of(job: &Job, write: UnitConverter) -> Self {
-        let bodies = [&job.upper, &job.lower];
+        let bodies = job.bodies();
         let in_hole = bodies.iter().any(|body| matches!(body.shape, Shape::Hole(_)));
         Self::Places(Side::BOTH.map(|side| place(side, bodies[side.member()], in_hole, write)))
     }

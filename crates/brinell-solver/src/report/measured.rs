@@ -1,10 +1,12 @@
 //! Figures of contacts of finite elements that only answers and verdict have.
 
+use std::sync::Arc;
+
 use super::answers::{Largest, Measured};
 use super::findings::Finding;
 use crate::analytical::von_mises;
 use crate::fem::assembly::GaussPoint;
-use crate::job::{Job, Load, Material, OverDepth};
+use crate::job::{Job, Load, OverDepth};
 use crate::material::HardeningLaw;
 use crate::solver::{
     BodySolution, ElasticReference, Problem, StepSolution, elastic_utilization,
@@ -28,9 +30,10 @@ pub(super) fn measured(
     if step.status.is_stopped() {
         return at_rest;
     }
-    let core = largest_in(step, |side, body| core(job, side, body));
+    let core = largest_in(&step.field.bodies, |side, body| core(job, side, body));
     if step.figures.force <= 0.0 {
-        let tension = largest_in(step, tension).filter(|_| step.path.energy.is_some());
+        let tension =
+            largest_in(&step.field.bodies, tension).filter(|_| step.path.energy.is_some());
         return Measured { core, tension, ..at_rest };
     }
     let is_sought = job.load == Load::Onset;
@@ -64,12 +67,11 @@ pub(super) fn measured(
 }
 
 /// Returns the largest of both bodies; of two alike the lower one.
-fn largest_in(
-    step: &StepSolution,
-    of: impl Fn(usize, &BodySolution) -> Option<Largest>,
+pub(super) fn largest_in<B>(
+    bodies: &[Option<Arc<B>>; 2],
+    of: impl Fn(usize, &B) -> Option<Largest>,
 ) -> Option<Largest> {
-    let bodies = step.field.bodies.iter().enumerate();
-    let found = bodies.filter_map(|(side, body)| of(side, body.as_ref()?));
+    let found = bodies.iter().enumerate().filter_map(|(side, body)| of(side, body.as_ref()?));
     found.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
@@ -91,12 +93,9 @@ fn tension(side: usize, body: &BodySolution) -> Option<Largest> {
 
 /// Returns the depth of the hardened case of a body \[mm\].
 pub(super) fn case_depth(job: &Job, side: usize) -> Option<f64> {
-    match &[&job.upper, &job.lower][side].material {
-        Material::Deformable(material) => match material.over_depth.as_ref()? {
-            OverDepth::Case(case) => Some(case.case_depth.get()),
-            _ => None,
-        },
-        Material::Rigid => None,
+    match job.bodies()[side].deformable()?.over_depth.as_ref()? {
+        OverDepth::Case(case) => Some(case.case_depth.get()),
+        _ => None,
     }
 }
 

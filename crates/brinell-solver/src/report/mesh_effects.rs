@@ -95,5 +95,5 @@ pub(super) fn is_clamped_column(job: &Job, step: &StepSolution) -> bool {
     };
     let is_plane =
         step.field.stress_state != StressState::Axisymmetric && step.field.conforming.is_none();
-    is_plane && [&job.upper, &job.lower].into_iter().zip(&step.field.bodies).any(is_column)
+    is_plane && job.bodies().into_iter().zip(&step.field.bodies).any(is_column)
 }

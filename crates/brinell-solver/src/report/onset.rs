@@ -41,8 +41,7 @@ fn cause(
         return Some(OnsetUnknown::AtEdge { width: edge.elastic.width(), spacing, force });
     }
     // Elements that resolve the edge of a punch find the peak pressure on the edge.
-    let is_punch =
-        [&job.upper, &job.lower].iter().any(|body| matches!(body.shape, Shape::Punch(_)));
+    let is_punch = job.bodies().iter().any(|body| matches!(body.shape, Shape::Punch(_)));
     let can_yield = || problem.bodies.iter().any(|body| body.yield_stress().is_some());
     if !is_punch && peak_is_next_to_end(step) && can_yield() {
         return Some(OnsetUnknown::NextToEnd { x: step.field.peak_position, spacing });

@@ -2,7 +2,7 @@
 //! curve of the material is accurate enough for it.
 
 use super::findings::Finding;
-use crate::job::{Hardening, Job, Load, Material, TargetFigure};
+use crate::job::{Body, Hardening, Job, Load, TargetFigure};
 use crate::solver::StepSolution;
 
 /// Plastic strain below which a bilinear curve represents a real material badly.
@@ -42,13 +42,8 @@ pub(super) fn bilinear_curve(job: &Job, strain: f64) -> Option<Finding> {
         }
         _ => false,
     };
-    let is_bilinear = |material: &Material| match material {
-        Material::Deformable(material) => {
-            matches!(material.plasticity, Some(Hardening::Bilinear(_)))
-        }
-        Material::Rigid => false,
-    };
+    let mut materials = job.bodies().into_iter().filter_map(Body::deformable);
     let has_bilinear =
-        [&job.upper, &job.lower].into_iter().any(|body| is_bilinear(&body.material));
+        materials.any(|material| matches!(material.plasticity, Some(Hardening::Bilinear(_))));
     (is_permanent && has_bilinear && strain < SMALL_STRAIN).then_some(Finding::BilinearCurve)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::findings::{CasePlace, Finding};
 use crate::analytical::von_mises;
 use crate::fem::assembly::GaussPoint;
-use crate::job::{Job, Material, MeshSettings};
+use crate::job::{Body, Job, MeshSettings};
 use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution};
 
@@ -43,14 +43,8 @@ pub(super) fn wanted(asked: f64, ratio: f64, most: u32) -> f64 {
 
 /// Returns the finding on a yield stress that follows from hardness.
 pub(super) fn by_hardness(job: &Job) -> Option<Finding> {
-    let follows = |material: &Material| match material {
-        Material::Deformable(material) => {
-            material.over_depth.as_ref().is_some_and(|strength| strength.rule().is_some())
-        }
-        Material::Rigid => false,
-    };
-    let follows = [&job.upper, &job.lower].into_iter().any(|body| follows(&body.material));
-    follows.then_some(Finding::YieldByHardness)
+    let rule = |body: &Body| body.deformable()?.over_depth.as_ref()?.rule();
+    job.bodies().into_iter().find_map(rule).map(|_| Finding::YieldByHardness)
 }
 
 /// Returns the largest ratio of von Mises stress to yield stress before the load.

@@ -124,10 +124,7 @@ pub(super) fn findings(
 
 /// Returns the shape of a contact by deformation theory, and how far beyond yield it is.
 fn deformation(job: &Job, problem: &Problem, reference: Option<&ElasticReference>) -> Deformation {
-    if [&job.upper, &job.lower]
-        .iter()
-        .any(|body| matches!(body.shape, Shape::Cone(_) | Shape::Wedge(_)))
-    {
+    if job.bodies().iter().any(|body| matches!(body.shape, Shape::Cone(_) | Shape::Wedge(_))) {
         return Deformation::Tip;
     }
     let solids = problem.bodies.each_ref().map(|body| body.material.as_ref());
@@ -142,9 +139,8 @@ fn deformation(job: &Job, problem: &Problem, reference: Option<&ElasticReference
 /// has a radius \[mm\].
 pub(super) fn smallest_radius(job: &Job, reference: Option<&ElasticReference>) -> f64 {
     let effective = reference.map_or(f64::INFINITY, |reference| reference.effective_radius);
-    let curvatures = [&job.upper, &job.lower]
-        .into_iter()
-        .filter_map(|body| outline_of(&body.shape).curvature());
+    let curvatures =
+        job.bodies().into_iter().filter_map(|body| outline_of(&body.shape).curvature());
     curvatures.fold(
         if effective > 0.0 { effective } else { f64::INFINITY },
         // The effective radius of nearly conforming bodies is large, but their gaps deviate from
@@ -240,7 +236,7 @@ fn wide_contact(job: &Job, step: &StepSolution, half_width: f64, radius: f64) ->
 /// Returns the largest slope between two neighbouring pairs in contact on surfaces without a
 /// radius: wedges, cones and profiles.
 fn steepest(job: &Job, step: &StepSolution) -> f64 {
-    let outlines = [&job.upper, &job.lower].map(|body| outline_of(&body.shape));
+    let outlines = job.bodies().map(|body| outline_of(&body.shape));
     let between = |pair: &[PairState]| match pair {
         [a, b] if a.force > 0.0 && b.force > 0.0 => {
             let slope = |outline: &Outline| {

@@ -81,7 +81,7 @@ impl Facts<'_> {
 
     /// Returns whether the job gives the moment of a roller; it gives the tilt otherwise.
     fn is_moment_given(&self) -> bool {
-        let bodies = [&self.job.upper, &self.job.lower];
+        let bodies = self.job.bodies();
         bodies.iter().any(|body| match &body.shape {
             Shape::Roller(roller) => roller.moment.is_some(),
             _ => false,

@@ -16,7 +16,7 @@ use super::datum::Datum;
 use super::findings::{Finding, Voids};
 use super::known::{ErrorEstimate, FlowFigures, Known, ROUNDING, Zone};
 use crate::contact::ContactLoad;
-use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory};
+use crate::job::{Analysis, Body, Job, Load, Quantity, Side, Theory};
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::Figure;
 use crate::units::UnitConverter;
@@ -127,11 +127,8 @@ impl Facts<'_> {
 
     /// Returns the stress from which a body has plastic strain, 0 without a yield point.
     fn yield_point(&self, side: Side) -> Option<f64> {
-        let body = if side == Side::Upper { &self.job.upper } else { &self.job.lower };
-        match &body.material {
-            Material::Deformable(material) => Some(material.hardening_law()?.yield_stress()),
-            Material::Rigid => None,
-        }
+        let material = self.job.bodies()[side.member()].deformable()?;
+        Some(material.hardening_law()?.yield_stress())
     }
 
     /// Returns the zones that have yielded; under a law without a yield point those with plastic
@@ -144,10 +141,8 @@ impl Facts<'_> {
 
     /// Returns whether a body can yield.
     pub fn can_yield(&self) -> bool {
-        [&self.job.upper, &self.job.lower].iter().any(|body| match &body.material {
-            Material::Deformable(material) => material.hardening_law().is_some(),
-            Material::Rigid => false,
-        })
+        let bodies = self.job.bodies().into_iter();
+        bodies.filter_map(Body::deformable).any(|material| material.plasticity.is_some())
     }
 
     fn zones(&self) -> impl Iterator<Item = (Side, &Zone)> {

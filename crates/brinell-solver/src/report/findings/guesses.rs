@@ -3,7 +3,7 @@
 //! may mean it.
 
 use super::Finding;
-use crate::job::{Deformable, Hardening, Job, Material, OverDepth, RambergOsgood, Units};
+use crate::job::{Deformable, Hardening, Job, OverDepth, RambergOsgood, Units};
 use crate::material::HardeningLaw;
 use crate::material::hardening::PolyLine;
 use crate::material::tensile::{Measure, TestSettings, YieldRule, hardening_curve};
@@ -31,7 +31,7 @@ const ROCKWELL: f64 = 70.0;
 pub(in crate::report) fn guesses(job: &Job) -> Vec<Finding> {
     let mut found = Vec::new();
     for (side, body) in [("upper", &job.upper), ("lower", &job.lower)] {
-        if let Material::Deformable(material) = &body.material {
+        if let Some(material) = body.deformable() {
             let at = format!("/{side}/material");
             found.extend(of_units(&at, material, job.units));
             found.extend(of_curve(&at, material));

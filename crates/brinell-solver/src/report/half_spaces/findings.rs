@@ -2,7 +2,7 @@
 
 use super::spots::{self, FEW_CELLS};
 use crate::inputs::along_axes;
-use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
+use crate::job::{Deformable, Job, MeshSettings, Roller};
 use crate::material::Solid;
 use crate::report::findings::{
     CasePlace, Deformation, Finding, FinerBy, Known, OnsetUnknown, Unconverged, Wide, Work,
@@ -81,8 +81,8 @@ pub(super) fn findings(
     }
     findings.extend(bilinear_curve(job, strain));
     findings.extend(by_hardness(job));
-    let coarsest = bodies()
-        .filter_map(|(side, body)| coarsest(deformable([&job.upper, &job.lower][side])?, body));
+    let coarsest =
+        bodies().filter_map(|(side, body)| coarsest(job.bodies()[side].deformable()?, body));
     if let Some((ratio, depth)) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
         let cells = f64::from(job.mesh.elements_per_half_width);
         findings.push(Finding::CoarseCase {
@@ -100,10 +100,7 @@ pub(super) fn findings(
 /// Returns the largest plastic strain of a body, or `None` if its hardening curve no longer rises
 /// there.
 pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Option<f64> {
-    let law = match &[&job.upper, &job.lower][side].material {
-        Material::Deformable(material) => material.hardening_law(),
-        Material::Rigid => None,
-    };
+    let law = job.bodies()[side].deformable().and_then(Deformable::hardening_law);
     bounded_strain(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
 }
 
@@ -205,20 +202,12 @@ fn wide_tilt(step: &HalfSpaceStep) -> Option<Wide> {
     (tilt.abs() > most).then_some(Wide::Tilt { tilt, most })
 }
 
-const fn deformable(body: &Body) -> Option<&Deformable> {
-    match &body.material {
-        Material::Deformable(material) => Some(material),
-        Material::Rigid => None,
-    }
-}
-
 /// Returns the semi-axis and the radius of a body along it with the largest ratio, if the ratio is
 /// too large for surfaces that are approximated by parabolas. `angle` turns the x of the job to
 /// the x of the contact. Bodies that conform along an axis are arcs along it, and the inclination
 /// of their normals counts instead.
 fn widest(job: &Job, problem: &HalfSpaceProblem, angle: f64, semi_axes: [f64; 2]) -> Option<Wide> {
-    let curvatures =
-        [&job.upper, &job.lower].into_iter().filter_map(|body| body.shape.curvatures());
+    let curvatures = job.bodies().into_iter().filter_map(|body| body.shape.curvatures());
     let conforms = problem.conformity.curvature().map(|curvature| curvature > 0.0);
     let ratios = curvatures.flat_map(|curvatures| {
         let along = along_axes(curvatures, angle);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::sections::section_along_x;
-use crate::job::{Job, Material};
+use crate::job::{Body, Job};
 use crate::report::flow::NOTICEABLE;
 use crate::report::known::{FlowFigures, SurfaceFigures};
 use crate::report::{PerBody, SurfaceReport};
@@ -83,7 +83,8 @@ impl FlowState {
 
 /// Returns the height of the surface of a body in every cell.
 fn heights(job: &Job, (body, side): (&HalfSpaceBody, usize), deflection: &[f64]) -> Vec<f64> {
-    let share = compliance(job, side) / (compliance(job, 0) + compliance(job, 1));
+    let compliances = job.bodies().map(Body::compliance);
+    let share = compliances[side] / compliances.iter().sum::<f64>();
     let displacements = deflection.iter().zip(&body.plastic_displacement);
     displacements.map(|(elastic, plastic)| -(share * elastic + plastic)).collect()
 }
@@ -118,14 +119,6 @@ fn elastic_deflection(reference: &EllipticReference, step: &HalfSpaceStep) -> Ve
         map.gap[cell] - gap[cell] - plastic + step.figures.approach
     };
     (0..map.gap.len()).map(at).collect()
-}
-
-/// Returns `(1 - ν²)/E` of a body, 0 for a rigid body.
-fn compliance(job: &Job, side: usize) -> f64 {
-    match &[&job.upper, &job.lower][side].material {
-        Material::Deformable(material) => material.elastic.plane_strain_modulus().recip(),
-        Material::Rigid => 0.0,
-    }
 }
 
 /// Returns the gain of equivalent plastic strain in each cell.

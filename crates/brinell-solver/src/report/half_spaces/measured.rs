@@ -1,12 +1,11 @@
 //! Figures of contacts in three dimensions that only answers and verdict have.
 
-use std::f64::consts::FRAC_PI_3;
-
 use super::findings::reaches_rim;
-use crate::job::{Deformable, Job, Load, Material};
+use crate::job::{Job, Load};
+use crate::material::fatigue::largest_principal;
 use crate::report::answers::{Largest, Measured};
 use crate::report::findings::Finding;
-use crate::report::measured::case_depth;
+use crate::report::measured::{case_depth, largest_in};
 use crate::solver::half_spaces::{
     EllipticReference, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, SurfaceMap, von_mises,
 };
@@ -29,10 +28,10 @@ pub(super) fn measured(
     if step.status.is_stopped() {
         return at_rest;
     }
-    let force = step.figures.force;
-    let core = largest_in(step, |side, body| core(job, side, body));
+    let (force, bodies) = (step.figures.force, &step.field.bodies);
+    let core = largest_in(bodies, |side, body| core(job, side, body));
     if force <= 0.0 {
-        return Measured { core, tension: largest_in(step, tension), ..at_rest };
+        return Measured { core, tension: largest_in(bodies, tension), ..at_rest };
     }
     let is_sought = job.load == Load::Onset;
     let closed = || {
@@ -40,7 +39,7 @@ pub(super) fn measured(
         let (value, depth, side) = used;
         Some(Largest { value, side, place: [0.0, 0.0, depth] })
     };
-    let is_elastic = step.field.bodies.iter().flatten().all(|body| body.largest_strain.is_none());
+    let is_elastic = bodies.iter().flatten().all(|body| body.largest_strain.is_none());
     let at_end = findings.iter().any(|finding| {
         matches!(finding, Finding::RollerEnd { .. } | Finding::Kinks | Finding::SurfaceEnd)
     });
@@ -59,16 +58,6 @@ pub(super) fn measured(
         inside_rim: if is_smooth { None } else { inside_rim(&step.field.surface) },
         ..at_rest
     }
-}
-
-/// Returns the largest of both bodies; of two alike the lower one.
-fn largest_in(
-    step: &HalfSpaceStep,
-    of: impl Fn(usize, &HalfSpaceBody) -> Option<Largest>,
-) -> Option<Largest> {
-    let bodies = step.field.bodies.iter().enumerate();
-    let found = bodies.filter_map(|(side, body)| of(side, body.as_ref()?));
-    found.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
 /// Returns the largest value of all cells in layers from a depth on \[mm\].
@@ -91,30 +80,12 @@ fn largest_below(
 
 /// Returns the largest principal stress of all cells.
 fn tension(side: usize, body: &HalfSpaceBody) -> Option<Largest> {
-    largest_below((side, body), 0.0, |stress, _| largest_principal(stress))
-}
-
-/// Returns the largest principal stress, from the Lode angle.
-fn largest_principal(stress: [f64; 6]) -> f64 {
-    let [xx, yy, zz, xy, xz, yz] = stress;
-    let mean = (xx + yy + zz) / 3.0;
-    let equivalent = von_mises(stress);
-    if equivalent == 0.0 {
-        return mean;
-    }
-    let [x, y, z] = [xx - mean, yy - mean, zz - mean];
-    let third = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
-    let angle = (13.5 * third / equivalent.powi(3)).clamp(-1.0, 1.0).acos() / 3.0;
-    debug_assert!((0.0..=FRAC_PI_3 + 1e-9).contains(&angle));
-    mean + 2.0 / 3.0 * equivalent * angle.cos()
+    largest_below((side, body), 0.0, |stress, _| largest_principal(&stress))
 }
 
 /// Returns the largest von Mises stress over the yield stress below a hardened case.
 fn core(job: &Job, side: usize, body: &HalfSpaceBody) -> Option<Largest> {
-    let material: &Deformable = match &[&job.upper, &job.lower][side].material {
-        Material::Deformable(material) => material,
-        Material::Rigid => return None,
-    };
+    let material = job.bodies()[side].deformable()?;
     let limit = material.hardening_law()?.nominal_yield_stress();
     let strength = material.strength()?;
     largest_below((side, body), case_depth(job, side)?, |stress, depth| {
@@ -132,23 +103,4 @@ fn inside_rim(map: &SurfaceMap) -> Option<(f64, [f64; 2])> {
     let inside = (1..nx - 1).flat_map(|i| (1..ny - 1).map(move |j| (i, j)));
     let most = inside.map(|(i, j)| (map.pressure[i * ny + j], [map.grid.x(i), map.grid.y(j)]));
     most.max_by(|a, b| a.0.total_cmp(&b.0))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_largest_principal_stress_follows_from_the_lode_angle() {
-        for (stress, expected) in [
-            ([300.0, 100.0, -500.0, 0.0, 0.0, 0.0], 300.0),
-            ([0.0, 0.0, 0.0, 70.0, 0.0, 0.0], 70.0),
-            ([-5.0, -5.0, -5.0, 0.0, 0.0, 0.0], -5.0),
-            // Principal stresses 100, 40 and -150.
-            ([40.0, -60.0, 10.0, 0.0, 0.0, 120.0], 100.0),
-        ] {
-            let found = largest_principal(stress);
-            assert!((found - expected).abs() < 1e-6, "{stress:?} {found}");
-        }
-    }
 }

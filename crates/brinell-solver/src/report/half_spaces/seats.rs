@@ -1,7 +1,7 @@
 //! Onset of yield below a concave surface.
 
 use crate::inputs::along_axes;
-use crate::job::{Body, Job, Material};
+use crate::job::{Body, Job};
 use crate::solver::half_spaces::HalfSpaceStep;
 
 /// Relative fall of the force at the onset of yield of a concave body for each half-width over its
@@ -19,8 +19,7 @@ const OF_SEAT: f64 = 1.5;
 pub(super) fn error_of_onset(job: &Job, angle: f64, step: &HalfSpaceStep) -> f64 {
     let [a, b] = step.figures.semi_axes();
     let of_body = |body: &Body| {
-        let yields = matches!(&body.material, Material::Deformable(material)
-            if material.plasticity.is_some());
+        let yields = body.deformable().is_some_and(|material| material.plasticity.is_some());
         let curvatures = body.shape.curvatures().filter(|_| yields)?;
         let [across, along] = along_axes(curvatures, angle).map(|k| (-k).max(0.0));
         Some((OF_SEAT * across.max(along)).max(if along > 0.0 {
@@ -29,6 +28,6 @@ pub(super) fn error_of_onset(job: &Job, angle: f64, step: &HalfSpaceStep) -> f64
             OF_ROLLER_SEAT * across
         }))
     };
-    let bodies = [&job.upper, &job.lower].into_iter();
+    let bodies = job.bodies().into_iter();
     a.min(b) * bodies.filter_map(of_body).fold(0.0, f64::max)
 }

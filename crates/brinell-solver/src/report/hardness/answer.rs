@@ -2,7 +2,7 @@
 
 use super::found::{Found, OliverPharr};
 use super::{BALL_STRAIN, DAO_STRAIN, HardnessSeen, PYRAMID_STRAIN, dao_curvature};
-use crate::job::{Job, Material, TestScale};
+use crate::job::{Job, TestScale};
 use crate::report::answers::{Answer, AnswerAt, Bar, Name};
 use crate::report::findings::Finding;
 use crate::report::verdict::said;
@@ -46,7 +46,7 @@ impl HardnessSeen {
     fn answered(&self, job: &Job, write: UnitConverter) -> Option<Answered> {
         let test = job.load.hardness()?;
         let loaded = self.0.iter().position(|seen| seen.force >= 0.999 * test.force())?;
-        let Material::Deformable(specimen) = &job.lower.material else { return None };
+        let specimen = job.lower.deformable()?;
         let modulus = 1.0
             / (1.0 / specimen.elastic.plane_strain_modulus()
                 + 1.0 / test.elastic()?.plane_strain_modulus());
