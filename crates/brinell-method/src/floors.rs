@@ -10,7 +10,7 @@ pub const fn floors(figure: Figure) -> [Option<f64>; 4] {
     match figure {
         Figure::PeakPressure => [Some(0.047), Some(0.068), Some(0.041), Some(0.018)],
         Figure::MiddlePressure => [Some(0.014), Some(0.088), Some(0.076), Some(0.019)],
-        Figure::HalfWidth => [Some(0.26), Some(0.37), Some(0.26), Some(0.21)],
+        Figure::HalfWidth => [Some(0.083), Some(0.053), Some(0.083), Some(0.21)],
         Figure::SemiAxisY => [None, None, None, Some(0.033)],
         Figure::ContactArea => [None, None, None, Some(0.065)],
         Figure::ContactRatio => [None, None, None, None],
