@@ -91,7 +91,7 @@ fn cones_and_wedges_by_points() {
 }
 
 /// A flat punch by points, elastic, whose flanks have a slope of 100: at the approach α the block
-/// touches them up to `1 + α/100`.
+/// touches them up to `1 + α/100`. The column in which the contact ends is 0.0037 wide.
 #[test]
 fn a_flat_punch_by_points() {
     let job = case("flat_punch_elastic");
@@ -99,7 +99,7 @@ fn a_flat_punch_by_points() {
     for job in [job.clone(), straight(job)] {
         let step = step(&job);
         let on_flank = 0.01 * step.approach().unwrap();
-        assert_within(step[Name::HalfWidth], 1.0 + on_flank, 1e-4);
+        assert_within(step[Name::HalfWidth], 1.0 + on_flank, 1e-3);
         let nodes = &step.contact.nodes;
         let middle = nodes.x.iter().position(|x| x.abs() < 1e-9).unwrap();
         assert_within(nodes.pressure[middle], flat_punch_pressure(force, 1.0, 0.0), 5e-3);
@@ -113,7 +113,8 @@ fn a_flat_punch_by_points() {
 fn punches_near_their_limit() {
     for name in ["circular_punch_near_its_limit", "flat_punch_at_its_limit"] {
         let step = step(&case(name));
-        assert_within(step[Name::HalfWidth], 1.0, 1e-3);
+        let on_flank = 0.01 * step.approach().unwrap();
+        assert_within(step[Name::HalfWidth], 1.0 + on_flank, 1e-3);
         assert_eq!(codes(&step), ["large_strain", "deformation_theory", "unbounded_strain"]);
         // So near its limit a block gives way for small changes of its mesh, and the bar says so.
         assert!(step.bar(Name::Approach).unwrap() > 0.1);
