@@ -4,7 +4,7 @@
 //! beside itself on a finer mesh, and prints how many bars hold by figure and analysis, ordinary jobs
 //! apart from odd ones; bars that do not hold are listed with their job. `count 2` takes the first two
 //! parts of each kind; it fails where fewer than 93 of 100 hold. `count 2 Fit` counts the set on which
-//! the [bounds](brinell_method::bounds) were chosen. A part that has been solved is kept under
+//! the bounds (`brinell-method/src/bounds.rs`) were chosen. A part that has been solved is kept under
 //! `target/error_bars`, in a folder of the program that solved it: a run that is stopped goes on where
 //! it was. `error_bars -- job Judge Flow 0 2` prints the job of that part and number. Jobs are given up
 //! after a minute of the processor on each mesh.
