@@ -1168,6 +1168,14 @@ class MeshSettings(BaseModel):
     model_config = ConfigDict(
         extra='forbid',
     )
+    accuracy: Annotated[
+        float | None,
+        Field(
+            description='Bound of the relative errors of the figures that answer the job, as 0.01. The mesh is refined until they are met, to four times the elements at most; `validity` of the result names the figure that misses it. Without it one mesh is solved. Without unit.',
+            ge=0.001,
+            le=0.2,
+        ),
+    ] = None
     elements_per_half_width: Annotated[
         int | None,
         Field(

@@ -978,7 +978,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'collapse', 'large_strain', 'deformation_theory', 'falling_loads', 'no_contact', 'sharp_corner', 'contact_at_edge', 'coarse_mesh', 'unbounded_strain', 'bilinear_curve', 'onset_unknown', 'yield_by_hardness', 'initial_yield', 'coarse_case', 'near_support', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'fatigue', 'fatigue_by_hardness', 'full_sliding', 'inclined_pressure', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'bias_unknown', 'outside_scale', 'no_dent', 'thin_specimen', 'narrow_specimen', 'blunt_tip', 'equal_cone'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'collapse', 'large_strain', 'deformation_theory', 'falling_loads', 'no_contact', 'sharp_corner', 'contact_at_edge', 'coarse_mesh', 'unbounded_strain', 'accuracy_missed', 'bilinear_curve', 'onset_unknown', 'yield_by_hardness', 'initial_yield', 'coarse_case', 'near_support', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'fatigue', 'fatigue_by_hardness', 'full_sliding', 'inclined_pressure', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'bias_unknown', 'outside_scale', 'no_dent', 'thin_specimen', 'narrow_specimen', 'blunt_tip', 'equal_cone'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
