@@ -261,7 +261,7 @@ fn two_grids_that_agree_leave_a_bar() {
     let step = solve(&job).steps.remove(0);
     let bar = step.bar(Name::PeakPressure).unwrap();
     near(799.97, step[Name::PeakPressure], bar, "peak");
-    assert!(bar < 0.02, "{bar}");
+    assert!(bar < 0.03, "{bar}");
 }
 
 /// A roller in three dimensions and the same cylinder in the plane; a ball and Hertz's mean

@@ -5,9 +5,8 @@ use crate::job::{Block, HardnessTest, Job, Shape, TestScale};
 
 /// Part of the force from which on Meyer's law is fitted.
 const FITTED_FROM: f64 = 0.25;
-/// Error of the radius in elements, of 97 in 100 contacts; of pyramids, which are solved as cones.
-const ELEMENTS_OFF: f64 = 0.06;
-const ELEMENTS_OFF_OF_PYRAMIDS: f64 = 0.3;
+/// Error of the radius in elements.
+const ELEMENTS_OFF: f64 = 0.3;
 /// Standard errors in a bar.
 const STANDARD_ERRORS: f64 = 2.0;
 /// Conversion of N/mm² to kgf/mm² in the standards.
@@ -178,13 +177,9 @@ impl<'a> Found<'a> {
         Some(self.loads.get(self.loaded + 1)?.approach - before.approach)
     }
 
-    fn elements_off(&self) -> f64 {
-        if self.is_pyramid() { ELEMENTS_OFF_OF_PYRAMIDS } else { ELEMENTS_OFF }
-    }
-
     fn radius_error(&self) -> f64 {
         let standard = self.fit.map_or(0.0, |fit| STANDARD_ERRORS * fit.error);
-        standard + self.elements_off() * self.load().spacing / self.radius
+        standard + ELEMENTS_OFF * self.load().spacing / self.radius
     }
 
     pub fn relative_error(&self) -> Option<f64> {
@@ -219,10 +214,7 @@ impl<'a> Found<'a> {
     /// is off along the face of the indenter.
     fn depth_off(&self, seen: &Seen) -> Option<f64> {
         let slope = self.test.slope().unwrap_or_else(|| self.radius / self.test.radius());
-        Some(
-            (seen.approach_bar? * seen.approach).abs()
-                + self.elements_off() * seen.spacing * slope,
-        )
+        Some((seen.approach_bar? * seen.approach).abs() + ELEMENTS_OFF * seen.spacing * slope)
     }
 
     /// Part of the contact's radius that the tip of a pyramid takes.

@@ -2,8 +2,7 @@
 //!
 //! The edge of a contact lies between two nodes, so that the half-width under a force scatters by
 //! an element. Meyer's law `F = k d^m`, fitted by least squares to the increments from a quarter of
-//! the force on, has the radius a under the force; its standard error and 0.06 h/a, of
-//! pyramids 0.3 h/a, bound the error.
+//! the force on, has the radius a under the force; its standard error and 0.3 h/a bound the error.
 //!
 //! Beside the mean pressure p stands that of published results with large strains. Balls: D.
 //! Tabor, *The Hardness of Metals* (1951), `p = 2.8 σ(0.2 a/R)` with full plasticity. Cones of
