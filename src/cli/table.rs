@@ -51,9 +51,11 @@ impl Page {
             if let Some(found) = &report.found {
                 self.line(&wrapped("", &words(&found.text), " "));
             }
-            for note in &report.validity {
-                self.remark(&note.message);
-            }
+        }
+        for note in &report.validity {
+            self.remark(&note.message);
+        }
+        if !(report.answers.is_empty() && report.validity.is_empty()) {
             self.line("");
         }
         for (name, body) in [("upper", &job.upper), ("lower", &job.lower)] {

@@ -210,6 +210,14 @@ fn a_figure_that_hardly_depends_on_the_input_tells_both_ends() {
     assert!(text.contains(" would tell it to ± "), "{text}");
 }
 
+/// Meshes of an accuracy differ from look to look.
+#[test]
+fn a_search_refuses_an_accuracy() {
+    let mut job = finding(ball(), "/upper/shape/radius", [2.0, 200.0], &json!({"approach": 0.01}));
+    job["mesh"] = json!({"accuracy": 0.02});
+    assert!(refusal(&job).starts_with("/mesh/accuracy"), "{}", refusal(&job));
+}
+
 /// Reciprocal figures take the ends and one secant.
 #[test]
 fn a_margin_takes_one_secant() {

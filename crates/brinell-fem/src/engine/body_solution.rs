@@ -121,11 +121,13 @@ impl BodySolution {
         self.most_strained().map_or(0.0, |point| point.equivalent_plastic_strain)
     }
 
-    /// Returns that strain, or `None` if the material no longer hardens
+    /// Returns that strain, or `None` if the body has yielded at the ends alone or no longer hardens
     /// there. Plastic flow then gathers in bands of the width of one element, and the strain grows
     /// with the density of the mesh.
     pub fn bounded_plastic_strain(&self) -> Option<f64> {
-        bounded_strain(self.strain_inside(), self.model.hardening())
+        let inside = self.strain_inside();
+        let is_at_ends = inside == 0.0 && self.has_yielded();
+        bounded_strain(inside, self.model.hardening()).filter(|_| !is_at_ends)
     }
 
     /// Largest strain at a Gauss point to which small-strain theory is held: the equivalent

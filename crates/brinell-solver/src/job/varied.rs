@@ -81,7 +81,13 @@ impl Job {
     pub(super) fn faults_of_find(&self) -> Vec<FieldError> {
         let of_find = self.find.iter().flat_map(|find| self.faults_of_ends(find));
         let tolerances = self.tolerances.iter();
-        of_find.chain(tolerances.filter_map(|one| self.fault_of_tolerance(one))).collect()
+        let varies = self.find.is_some() || !self.tolerances.is_empty();
+        let on_many_meshes = self.mesh.accuracy.filter(|_| varies).map(|_| {
+            let detail = "searches and tolerances compare answers of one number of elements";
+            FieldError::new("/mesh/accuracy", detail)
+        });
+        let of_tolerances = tolerances.filter_map(|one| self.fault_of_tolerance(one));
+        of_find.chain(of_tolerances).chain(on_many_meshes).collect()
     }
 
     fn faults_of_ends(&self, find: &Find) -> Vec<FieldError> {

@@ -42,7 +42,7 @@ pub(super) fn estimate(
 }
 
 /// Solves a job, on finer and finer meshes where it asks for an accuracy. Steps of a finer mesh
-/// replace those before. A finer mesh that has no answer, or no time for one, leaves the last one.
+/// replace those before. A finer mesh without an answer, or a job that is stopped, leaves the last one.
 ///
 /// # Errors
 /// Those of the first mesh.
@@ -74,19 +74,8 @@ pub(super) fn solve(
             Ok((report, finer_steps)) if report.status == SolveStatus::Converged => {
                 (kept, steps, elements) = (report, finer_steps, finer);
             }
-            Ok((report, _)) if report.status == SolveStatus::TimedOut => {
-                break missed(Missed::Time(finer));
-            }
-            Ok((report, finer_steps)) if report.status == SolveStatus::Cancelled => {
-                (kept, steps) = (report, finer_steps);
-                break None;
-            }
-            Err(RunError::Interrupted(interrupt)) => {
-                if SolveStatus::from(interrupt) == SolveStatus::Cancelled {
-                    return Err(RunError::Interrupted(interrupt));
-                }
-                break missed(Missed::Time(finer));
-            }
+            Ok((report, _)) if report.status.is_stopped() => break missed(Missed::Stopped(finer)),
+            Err(RunError::Interrupted(_)) => break missed(Missed::Stopped(finer)),
             _ => break missed(Missed::NoAnswer(finer)),
         }
     };

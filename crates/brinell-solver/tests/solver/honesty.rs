@@ -228,6 +228,24 @@ fn the_largest_strain_is_that_beside_the_ends_of_the_contact() {
     assert!(told.contains("At the ends of the contact plastic strain reaches 2."), "{told}");
 }
 
+/// A sharp punch whose block has yielded at the edges alone has no largest strain, which is not 0.
+#[test]
+fn a_strain_at_the_ends_alone_is_not_zero() {
+    let job = json!({"analysis": "plane_strain",
+        "upper": {"shape": {"type": "punch", "width": 4, "edge_radius": 0, "depth": 3},
+            "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 60, "depth": 30},
+            "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
+                {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 5000}}},
+        "load": {"force": 600}, "mesh": {"elements_per_half_width": 10}});
+    let step = report(&job).steps.remove(0);
+    let row = step.row(Name::MaxPlasticStrain).unwrap();
+    assert!(row.value.is_none() && row.reason.is_some(), "{row:?}");
+    assert!(step[Name::MeanPlasticStrain] > 0.0);
+    assert!(remark(&step, "unbounded_strain").is_some());
+    assert!(!step.verdict.text.contains("strain 0 %"), "{}", step.verdict.text);
+}
+
 /// Cylinders under a load or target.
 fn cylinders(tangent_modulus: f64, load: &Value) -> Value {
     let material = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,

@@ -247,7 +247,7 @@ fn storakers(name: &'static str, m: f64) -> Published {
         source: "Storåkers, Biwa, Larsson, IJSS 34 (1997) 3061: 1.43 e^(−0.97/m)",
         job: power_law(m),
         of: area_ratio,
-        why: "",
+        why: SCATTER,
     }
 }
 

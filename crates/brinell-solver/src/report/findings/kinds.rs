@@ -31,13 +31,13 @@ pub(in crate::report) enum Unconverged {
     Pass(TrackFault),
 }
 
-/// Why an accuracy is not met: the number of elements that would not do, or that have no answer or
-/// no time for one.
+/// Why an accuracy is not met: the number of elements that do not do, that have no answer, or before
+/// whose answer the job was stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::report) enum Missed {
     Elements(u32),
     NoAnswer(u32),
-    Time(u32),
+    Stopped(u32),
 }
 
 /// A remedy for an iteration without an answer.

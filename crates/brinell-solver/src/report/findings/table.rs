@@ -383,11 +383,11 @@ findings! {
     UnboundedStrain { bodies: [bool; 2] }
     => "unbounded_strain", Takes::Figures(&[Figure::MaxPlasticStrain]),
     row Mesh
-        "a body yields whose curve does not rise any more"
+        "a body yields whose curve does not rise any more, or at the ends of the contact alone"
         "the largest plastic strain has no limit on smaller and smaller elements and is `null`. \
          `area` and `mean_equivalent_plastic_strain` do not depend on the mesh",
-    |_| "The largest plastic strain of a material that does not harden has no limit on \
-                 smaller and smaller elements, and is not given. The plastic area and the mean \
+    |_| "The largest plastic strain of a material that does not harden, and at the ends of a \
+                 contact, grows on smaller elements, and is not given. The plastic area and the mean \
                  plastic strain in it have one where a single body flows; two that do not harden \
                  may share the flow otherwise on another mesh.";
 
@@ -396,11 +396,11 @@ findings! {
     row Mesh
         "plastic strain is largest within a tenth of the half-width of an end of the contact, or \
          beyond it, and of the surface"
-        "it has no limit there on smaller and smaller elements, whether the body hardens or not. \
-         The largest plastic strain that is given is that beside these places",
+        "it grows there on smaller elements, where no edge is rounded without limit, whether the \
+         body hardens or not. The largest plastic strain that is given is that beside these places",
     |_| format!(
-                "At the ends of the contact plastic strain reaches {} on this mesh and has no \
-                 limit on smaller elements. The largest plastic strain that is given is that \
+                "At the ends of the contact plastic strain reaches {} on this mesh and grows on \
+                 smaller elements. The largest plastic strain that is given is that \
                  deeper, or further inside, than a tenth of the half-width.",
                 percent(*strain)
             );
@@ -418,7 +418,9 @@ findings! {
                         format!("on {most} elements, the most that are tried from this mesh")
                     }
                     Missed::NoAnswer(next) => format!("and {next} elements have no answer"),
-                    Missed::Time(next) => format!("and the time does not do for {next} elements"),
+                    Missed::Stopped(next) => {
+                        format!("and the job was stopped before {next} elements had an answer")
+                    }
                 };
                 format!("The {} has ± {}, {why}.", label.to_lowercase(), percent(*error))
             };
