@@ -10,8 +10,6 @@ use crate::units::UnitConverter;
 
 /// Largest number of elements over the number that the job gives.
 const MOST: u32 = 4;
-/// Least and largest growth of the number of elements from one mesh to the next.
-const GROWTH: [f64; 2] = [1.25, 2.0];
 
 /// Returns the job on a mesh of so many elements, without an accuracy.
 fn on(job: &Job, elements: u32) -> Job {
@@ -68,8 +66,7 @@ pub(super) fn solve(
         if elements >= most {
             break missed(Missed::Elements(most));
         }
-        let growth = (error / asked.get()).clamp(GROWTH[0], GROWTH[1]);
-        let finer = most.min((f64::from(elements) * growth).ceil() as u32);
+        let finer = most.min(elements + elements.div_ceil(2));
         match solve_on(job, finer, options, observer, solve) {
             Ok((report, finer_steps)) if report.status == SolveStatus::Converged => {
                 (kept, steps, elements) = (report, finer_steps, finer);
