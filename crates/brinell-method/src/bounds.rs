@@ -13,6 +13,8 @@ pub struct Bound {
 /// Of figures that hardly feel where the contact ends.
 pub const SECOND_ORDER: Bound = Bound { least: 0.1, order: 2 };
 /// Of figures that feel it, and of figures on the axis of a circle.
+pub const AT_ENDS: Bound = Bound { least: 0.5, order: 2 };
+/// Of plastic strains, and of the least stress of a circle.
 pub const FIRST_ORDER: Bound = Bound { least: 0.1, order: 1 };
 /// Of what single elements decide: the area of the points that have yielded, the largest strain.
 pub const BY_ELEMENTS: Bound = Bound { least: 0.3, order: 1 };

@@ -20,7 +20,7 @@ use super::couplings::Coupling;
 use super::couplings::iteration::{Controls, Outcome};
 use super::figures::{Figures, Values};
 use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
-use super::increments::{Division, Growth, IncrementEnds, LastIncrement, Leg};
+use super::increments::{Division, Growth, IncrementEnds, Increments, LastIncrement, Leg};
 use super::loads::Stretch;
 use super::observer::{Held, IncrementNumber, Interrupt, IterationRecord, SolveStatus};
 use super::progress::Progress;
@@ -161,15 +161,26 @@ pub struct NextIncrement<'a, M> {
 pub fn run<E: Memory>(
     (engine, design): (E, E::Design),
     stretch: Stretch<'_>,
-    increments: Option<u32>,
+    increments: Increments,
     run: &mut Run<'_>,
     receiver: &mut dyn StepReceiver<E::Field>,
 ) -> Result<Option<Interrupt>, E::Error> {
     let mut preliminary = Vec::new();
+    let is_path = engine.follows_path() && stretch.loads.len() == 1;
+    let (half, all, fine, times) = match increments {
+        Increments::Given(n) => {
+            let [half, all, fine] = [n.div_ceil(2), n.max(2), n].map(Division::Fixed);
+            (half, all, fine, 1)
+        }
+        Increments::Chosen(times) if is_path => {
+            (Division::HalvedPath, Division::Path, Division::Followed, times)
+        }
+        Increments::Chosen(times) => (Division::Halved, Division::Grown, Division::Grown, times),
+    };
     let compared = run.preliminarily(|run| {
-        let division = increments.map_or(Division::Halved, |n| Division::Fixed(n.div_ceil(2)));
-        let history = History { engine: &engine, stretch, division, guide: None };
-        history.compare_increments(design, increments, &mut preliminary, run)
+        let history = History { engine: &engine, stretch, division: half, times, guide: None };
+        let is_one = increments == Increments::Given(1);
+        history.compare_increments(design, all, is_one, &mut preliminary, run)
     });
     let (mut coarse, errors) = match compared {
         Ok(compared) => compared,
@@ -178,12 +189,11 @@ pub fn run<E: Memory>(
             return Ok(Some(keep_preliminary(preliminary, 0, interrupt, receiver, run)?));
         }
     };
-    let follows = engine.follows_path() && stretch.loads.len() == 1 && !coarse.has_collapsed;
-    let grown = if follows { Division::Followed } else { Division::Grown };
-    let division = increments.map_or(grown, Division::Fixed);
+    let division = if is_path && coarse.has_collapsed { Division::Grown } else { fine };
     coarse.system = None;
     let (engine, design) = engine.finer(&coarse.memory);
-    let history = History { engine: &engine, stretch, division, guide: Some(&coarse.memory) };
+    let history =
+        History { engine: &engine, stretch, division, times, guide: Some(&coarse.memory) };
     let estimates = Estimates { coarse: &coarse.figures, increments: &errors };
     let mut steps = HistorySteps::new(estimates, &mut *receiver);
     let interrupt = match history.solve(design, None, &mut steps, run) {
@@ -287,6 +297,8 @@ struct History<'a, E: Memory> {
     engine: &'a E,
     stretch: Stretch<'a>,
     division: Division,
+    /// Increments over those by default.
+    times: u32,
     /// The memory of the coarser history.
     guide: Option<&'a E::Record>,
 }
@@ -307,7 +319,8 @@ impl<E: Memory> History<'_, E> {
     fn compare_increments(
         &self,
         design: E::Design,
-        given: Option<u32>,
+        division: Division,
+        keeps_larger: bool,
         preliminary: &mut Vec<Step<E::Field>>,
         run: &mut Run<'_>,
     ) -> Result<Compared<E>, E::Error> {
@@ -319,11 +332,10 @@ impl<E: Memory> History<'_, E> {
         }
         let design = self.engine.design_after(&larger.memory);
         let known = larger.system.take().and_then(|system| self.engine.at_rest(system));
-        let division = given.map_or(Division::Grown, |n| Division::Fixed(n.max(2)));
         let history = History { division, guide: Some(&larger.memory), ..*self };
         let smaller = history.solve(design, known, &mut steps, run)?;
         let errors = differences(&larger.figures, &smaller.figures);
-        let keeps_larger = given == Some(1) && !smaller.has_collapsed;
+        let keeps_larger = keeps_larger && !smaller.has_collapsed;
         Ok((if keeps_larger { larger } else { smaller }, errors))
     }
 
@@ -393,7 +405,7 @@ impl<E: Memory> History<'_, E> {
             let is_given = matches!(division, Division::Fixed(_));
             if !state.inherits_error() && !is_given && self.fails(&answer) {
                 if current.follows {
-                    *division = division.finer();
+                    *division = Division::Grown;
                     let design = self.engine.design_after(&state.found.memory);
                     return Err(Leave::Again(Box::new(design)));
                 }
@@ -546,6 +558,7 @@ impl<E: Memory> History<'_, E> {
             to: load.magnitude(),
             reached,
             growth,
+            times: self.times,
         }
     }
 

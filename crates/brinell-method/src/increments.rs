@@ -15,6 +15,21 @@ const MOST_FOLLOWED: f64 = 8.0;
 /// by 100 times the approach at its onset.
 const UNKNOWN_ONSET: f64 = 0.01;
 
+/// The increments of the loads of a history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Increments {
+    /// So many for each load, of equal size.
+    Given(u32),
+    /// Chosen by the solve, so many times as many as by default.
+    Chosen(u32),
+}
+
+impl Default for Increments {
+    fn default() -> Self {
+        Self::Chosen(1)
+    }
+}
+
 /// The division of every load of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Division {
@@ -24,18 +39,24 @@ pub enum Division {
     Grown,
     /// Half as many of them, for comparison.
     Halved,
-    /// Half as many of them, within which the bodies follow the path of a coarser system; all of
-    /// them where they are many or the onset of plastic flow is not known.
+    /// Those of a path that a finer system follows: twice as many where they are few and the onset
+    /// of plastic flow is known.
+    Path,
+    /// Half as many as those of a path, for comparison.
+    HalvedPath,
+    /// Half as many, within which the bodies follow the path of a coarser system; all of them where
+    /// they are many or the onset of plastic flow is not known.
     Followed,
 }
 
 impl Division {
-    /// Returns a division with smaller increments: all of them, or half of those given.
+    /// Returns the division with which this one is compared: all increments, or half of those given.
     #[must_use]
     pub const fn finer(self) -> Self {
         match self {
             Self::Fixed(n) => Self::Fixed(2 * n),
-            Self::Grown | Self::Halved | Self::Followed => Self::Grown,
+            Self::Grown | Self::Halved => Self::Grown,
+            Self::Path | Self::HalvedPath | Self::Followed => Self::Path,
         }
     }
 }
@@ -73,6 +94,8 @@ pub struct Leg {
     pub reached: f64,
     /// How the contact grows on the way.
     pub growth: Growth,
+    /// Increments over those by default.
+    pub times: u32,
 }
 
 impl Leg {
@@ -121,13 +144,18 @@ impl Leg {
         }
         let width = |measure: f64| measure.powf(exponent.recip());
         let (first, last) = (width(start), width(self.to));
-        let all = ((last - first) / (GROWTH * width(at_onset))).min(MOST).ceil();
-        let is_smooth = onset.is_some() && all <= MOST_FOLLOWED;
-        let count = match division {
-            Division::Halved => (all / 2.0).ceil(),
-            Division::Followed if is_smooth => (all / 2.0).ceil(),
-            _ => all,
+        let all = ((last - first) / (GROWTH * width(at_onset))).min(MOST);
+        let is_smooth = |most: f64| onset.is_some() && all.ceil() <= most;
+        let (is_followed, is_short) = (is_smooth(MOST_FOLLOWED), is_smooth(MOST_FOLLOWED / 2.0));
+        let all = (f64::from(self.times) * all).ceil();
+        let part = match (division, is_short, is_followed) {
+            (Division::Path, true, _) => 2.0,
+            (Division::Halved, ..)
+            | (Division::HalvedPath, false, _)
+            | (Division::Followed, _, true) => 0.5,
+            _ => 1.0,
         };
+        let count = (part * all).ceil();
         let mut k = 1.0;
         while k < count {
             ends.push((first + (last - first) * k / count).powf(exponent));
@@ -187,6 +215,7 @@ mod tests {
             to,
             reached,
             growth: Growth { onset: Some(100.0), exponent: 1.6 },
+            times: 1,
         }
     }
 
@@ -200,10 +229,20 @@ mod tests {
         assert!((0..7).all(|k| (growth(k) - growth(0)).abs() < 1e-9));
         assert!(growth(0) <= GROWTH * width(100.0));
         let counts = |to: f64| {
-            [Division::Halved, Division::Grown, Division::Followed].map(|by| ends(to, by).len())
+            [
+                Division::Halved,
+                Division::Grown,
+                Division::HalvedPath,
+                Division::Path,
+                Division::Followed,
+            ]
+            .map(|by| ends(to, by).len())
         };
-        assert_eq!([110.0, 500.0].map(counts), [[1, 1, 1], [4, 7, 4]]);
-        assert_eq!([1e3, 1e6].map(counts), [[7, 13, 13], [16, 32, 32]]);
+        assert_eq!([110.0, 300.0].map(counts), [[1, 1, 1, 2, 1], [2, 4, 4, 8, 2]]);
+        assert_eq!([500.0, 1e3].map(counts), [[4, 7, 4, 7, 4], [7, 13, 7, 13, 13]]);
+        assert_eq!(counts(1e6), [16, 32, 16, 32, 32]);
+        let finer = Leg { times: 3, ..leg(0.0, 300.0, 0.0) };
+        assert_eq!(finer.ends(Division::Followed).len(), 6);
         let growth = Growth { onset: None, exponent: 1.6 };
         let unknown = Leg { growth, ..leg(0.0, 500.0, 0.0) };
         assert_eq!(unknown.ends(Division::Followed), unknown.ends(Division::Grown));

@@ -7,6 +7,7 @@ use strum::{IntoStaticStr, VariantArray};
 use brinell_contact::{ActiveSetSolver, ContactSolver};
 
 use crate::couplings::{Accelerated, Coupling};
+use crate::increments::Increments;
 
 /// The theory of plasticity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
@@ -24,8 +25,8 @@ pub enum Theory {
 pub struct Settings {
     /// Theory of plasticity.
     pub theory: Theory,
-    /// Increments of each load of a history, of equal size; `None` where the solve chooses them.
-    pub increments: Option<u32>,
+    /// Increments of the loads of a history.
+    pub increments: Increments,
     /// The alternation of contact and plasticity.
     pub coupling: &'static (dyn Coupling + Sync),
     /// The solver of the contact conditions, for bodies that have a choice.
@@ -40,7 +41,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             theory: Theory::default(),
-            increments: None,
+            increments: Increments::default(),
             coupling: &Accelerated,
             contact: &ActiveSetSolver,
             tolerance: 1e-6,

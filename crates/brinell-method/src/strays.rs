@@ -151,7 +151,7 @@ mod tests {
     /// A force that rises.
     fn force() -> Leg {
         let growth = Growth { onset: None, exponent: 2.0 };
-        Leg { is_force: true, from: 0.0, to: 1.0, reached: 0.0, growth }
+        Leg { is_force: true, from: 0.0, to: 1.0, reached: 0.0, growth, times: 1 }
     }
 
     fn rising(number: u32, half_width: impl Fn(f64) -> f64) -> Rising {

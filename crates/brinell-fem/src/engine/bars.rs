@@ -3,7 +3,7 @@
 
 use super::solution::StepSolution;
 use crate::element::StressState;
-use brinell_method::bounds::{BY_ELEMENTS, Bound, FIRST_ORDER, IN_BANDS, SECOND_ORDER};
+use brinell_method::bounds::{AT_ENDS, BY_ELEMENTS, Bound, FIRST_ORDER, IN_BANDS, SECOND_ORDER};
 use brinell_method::figures::{Figure, Values};
 use brinell_method::sought::TargetFigure;
 
@@ -84,12 +84,11 @@ impl Bars {
         let off = match figure {
             Figure::Force if self.is_loading => {
                 let sides = if self.stress_state == StressState::Axisymmetric { 2.0 } else { 1.0 };
-                off.min(FIRST_ORDER.of(found - coarse, self.size, sides * found))
+                off.min(AT_ENDS.of(found - coarse, self.size, sides * found))
             }
             _ => off,
         };
         let of_mesh = off / found.abs();
-        // Three times an error of second order, where all increments are solved.
         let of_increments = at(&self.increments).unwrap_or_default();
         Some(of_mesh.max(at(&self.shown).unwrap_or_default()) + of_increments)
     }
@@ -105,16 +104,17 @@ impl Bars {
             {
                 IN_BANDS
             }
-            Figure::HalfWidth if is_banded => BY_ELEMENTS,
             Figure::PlasticArea => BY_ELEMENTS,
             Figure::MaxPlasticStrain if !is_circle => BY_ELEMENTS,
-            Figure::HalfWidth
-            | Figure::MaxPlasticStrain
-            | Figure::MeanPlasticStrain
-            | Figure::PileUp => FIRST_ORDER,
-            Figure::PeakPressure | Figure::MiddlePressure if is_circle => FIRST_ORDER,
-            Figure::LeastStress if is_circle || is_banded => FIRST_ORDER,
-            Figure::Approach | Figure::Dent | Figure::LargestVonMises if is_banded => FIRST_ORDER,
+            Figure::MaxPlasticStrain | Figure::MeanPlasticStrain => FIRST_ORDER,
+            Figure::LeastStress if is_circle => FIRST_ORDER,
+            Figure::HalfWidth | Figure::PileUp => AT_ENDS,
+            Figure::PeakPressure | Figure::MiddlePressure if is_circle => AT_ENDS,
+            Figure::Approach | Figure::Dent | Figure::LargestVonMises | Figure::LeastStress
+                if is_banded =>
+            {
+                AT_ENDS
+            }
             _ => SECOND_ORDER,
         }
     }

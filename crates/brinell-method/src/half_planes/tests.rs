@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use super::super::couplings::{self, Accelerated, SecantStiffness, Strong, Weak};
 use super::super::force_search::{Search, Trials, find};
 use super::super::history;
+use super::super::increments::Increments;
 use super::super::loads::{Stretch, each_load};
 use super::super::observer::{Interrupt, IterationRecord, Observer, SolveStatus};
 use super::super::sought::{Sought, Target, TargetFigure};
@@ -110,7 +111,13 @@ fn history_of(
     let loads: Vec<_> = forces.iter().map(|force| ContactLoad::Force(*force)).collect();
     let mut steps = Vec::new();
     let (end, _) = with_run(observer, |run| {
-        history::run(coarse(coupling), Stretch::whole(&loads), None, run, &mut steps)
+        history::run(
+            coarse(coupling),
+            Stretch::whole(&loads),
+            Increments::default(),
+            run,
+            &mut steps,
+        )
     });
     (steps, end.unwrap())
 }

@@ -18,5 +18,5 @@ pub use outline::outline_of;
 pub(crate) use plane::meshed_contact;
 pub use plane::{elastic_reference, run, run_with, support};
 pub(crate) use rolling::RollingInput;
-pub use settings::{loads, settings};
+pub use settings::{increments, loads, settings};
 pub(crate) use slopes::{of_small_mesh, small_solves};

@@ -1,27 +1,40 @@
 //! Settings and loads of a job.
 
 use brinell_method::couplings::{self, Accelerated, SecantStiffness, Strong, Weak};
+use brinell_method::increments::Increments;
 use brinell_method::settings::Settings;
 use brinell_method::sought::{self, Loads, Sought};
 
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
 use crate::job::{
-    ContactMethod, Coupling, HistoryLoad, Job, Load, SolverSettings, Target, Theory,
+    ContactMethod, Coupling, HistoryLoad, Job, Load, PositiveF64, SolverSettings, Target, Theory,
 };
+
+/// Accuracy up to which the increments that a solve chooses do. Their error falls like their square.
+const OF_CHOSEN_INCREMENTS: f64 = 0.005;
 
 /// Returns the settings of the solve that a job asks for. Of bodies without a memory each load is
 /// solved at once.
 pub fn settings(job: &Job) -> Settings {
-    let SolverSettings { increments, coupling, contact, tolerance, max_iterations, .. } =
-        job.solver;
+    let SolverSettings { coupling, contact, tolerance, max_iterations, .. } = job.solver;
     Settings {
         theory: if job.has_memory() { Theory::Flow } else { Theory::Deformation },
-        increments,
+        increments: increments(job),
         coupling: coupling_of(coupling),
         contact: contact_solver_of(contact),
         tolerance: tolerance.get(),
         max_iterations: max_iterations as usize,
     }
+}
+
+/// Returns the increments that a job gives, or those that its accuracy takes.
+pub fn increments(job: &Job) -> Increments {
+    let does = |times: &u32| {
+        let accuracy = job.mesh.accuracy.map_or(1.0, PositiveF64::get);
+        f64::from(times * times) * accuracy >= OF_CHOSEN_INCREMENTS
+    };
+    let chosen = || Increments::Chosen((1..).find(does).unwrap_or(1));
+    job.solver.increments.map_or_else(chosen, Increments::Given)
 }
 
 /// Returns the coupling that a job names.

@@ -17,9 +17,9 @@ record! {
             MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH..=MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH,
         )
         .label("Elements per half-width", ""),
-        /// Bound of the relative errors of the figures that answer the job, as 0.01. The mesh is
-        /// refined until they are met, to four times the elements at most; `validity` of the result
-        /// names the figure that misses it. Without it one mesh is solved.
+        /// Bound of the relative errors of the figures that answer the job, as 0.01. Mesh
+        /// and increments are refined until they are met, to four times the elements at most;
+        /// `validity` of the result names the figure that misses it. Without it one mesh is solved.
         pub accuracy: Option<PositiveF64> = Field::pure(1e-3..=0.2).label("Accuracy", ""),
     }
 }

@@ -11,10 +11,9 @@ use crate::units::UnitConverter;
 /// Largest number of elements over the number that the job gives.
 const MOST: u32 = 4;
 
-/// Returns the job on a mesh of so many elements, without an accuracy.
+/// Returns the job on a mesh of so many elements.
 fn on(job: &Job, elements: u32) -> Job {
-    let mesh = MeshSettings { accuracy: None, ..job.mesh.with_elements(elements) };
-    Job { mesh, ..job.clone() }
+    Job { mesh: job.mesh.with_elements(elements), ..job.clone() }
 }
 
 fn most_elements(job: &Job) -> u32 {
@@ -55,14 +54,12 @@ pub(super) fn solve(
     let (mut elements, most) = (job.mesh.elements_per_half_width, most_elements(job));
     let (mut kept, mut steps) = solve_on(job, elements, options, observer, solve)?;
     let missed = loop {
-        let Some((label, error)) = worst(&kept, &steps).filter(|(_, error)| *error > asked.get())
-        else {
-            break None;
-        };
-        let missed = |why: Missed| Some(Finding::AccuracyMissed { label, error, why });
-        if kept.status != SolveStatus::Converged {
+        let figure = worst(&kept, &steps);
+        let is_met = figure.as_ref().is_some_and(|(_, error)| *error <= asked.get());
+        if is_met || kept.status != SolveStatus::Converged {
             break None;
         }
+        let missed = |why: Missed| Some(Finding::AccuracyMissed { figure, why });
         if elements >= most {
             break missed(Missed::Elements(most));
         }
@@ -98,8 +95,8 @@ fn solve_on(
     Ok((report, steps))
 }
 
-/// Returns label and error of the figure with the largest one, of those that answer the job and
-/// have a bound.
+/// Returns label and error of the figure with the largest one, of those that answer the job; `None`
+/// where none has a bound, as on a mesh that is too coarse.
 fn worst(report: &Report, steps: &[StepReport]) -> Option<(String, f64)> {
     let of_steps = steps.iter().flat_map(|step| &step.answers);
     let rows = report.answers.iter().chain(of_steps);

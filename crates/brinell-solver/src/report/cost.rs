@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
+use crate::inputs;
 use crate::job::{Job, Load};
+use brinell_method::increments::Increments;
 
 /// What a job will cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -47,7 +49,9 @@ pub(super) fn steps_and_solves(job: &Job) -> [u64; 2] {
 
 /// Returns the most increments of one load of a history, and those of all `steps`.
 pub(super) fn increments_of(job: &Job, steps: u64) -> [u64; 2] {
-    let [to_largest, of_load] =
-        job.solver.increments.map_or(CHOSEN_INCREMENTS, |of_load| [0, of_load.into()]);
+    let [to_largest, of_load] = match inputs::increments(job) {
+        Increments::Given(of_load) => [0, of_load.into()],
+        Increments::Chosen(times) => CHOSEN_INCREMENTS.map(|n| n * u64::from(times)),
+    };
     [to_largest + of_load, to_largest + of_load * steps]
 }

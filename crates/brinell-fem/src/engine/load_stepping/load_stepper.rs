@@ -21,6 +21,7 @@ use brinell_contact::{ActiveSetSolver, ContactLoad, ContactSolver};
 use brinell_method::couplings::Accelerated;
 use brinell_method::couplings::iteration::Scales;
 use brinell_method::final_check::LeastScales;
+use brinell_method::increments::Increments;
 use brinell_method::observer::{Interrupt, SolveStatus};
 use brinell_method::phases::Phase;
 use brinell_method::run::Run;
@@ -343,7 +344,7 @@ fn has_answer(pass: &MeshSolve) -> bool {
 pub(super) fn auxiliary() -> Settings {
     Settings {
         theory: Theory::Deformation,
-        increments: None,
+        increments: Increments::default(),
         coupling: &Accelerated,
         contact: &ActiveSetSolver,
         tolerance: AUXILIARY_TOLERANCE,

@@ -406,9 +406,9 @@ findings! {
             );
 
     /// A figure misses the accuracy that the job asks for.
-    AccuracyMissed { label: String, error: f64, why: Missed } => "accuracy_missed", Takes::Nothing,
+    AccuracyMissed { figure: Option<(String, f64)>, why: Missed } => "accuracy_missed", Takes::Nothing,
     row Mesh
-        "`mesh.accuracy` is not met by every figure that answers the job and has a bound"
+        "`mesh.accuracy` is not met by every figure that answers the job and has a bound, or none has one"
         "the message names the figure with the largest error, and what stopped the refinement: four \
          times the elements of the job, a finer mesh without an answer, or the time. It is in \
          `validity` beside `steps`",
@@ -422,7 +422,12 @@ findings! {
                         format!("and the job was stopped before {next} elements had an answer")
                     }
                 };
-                format!("The {} has ± {}, {why}.", label.to_lowercase(), percent(*error))
+                match figure {
+                    Some((label, error)) => {
+                        format!("The {} has ± {}, {why}.", label.to_lowercase(), percent(*error))
+                    }
+                    None => format!("No figure that answers the job has a bound, {why}."),
+                }
             };
 
     /// A permanent deformation is computed with a bilinear curve.
