@@ -4,6 +4,9 @@
 
 use crate::words::Quantity;
 
+/// Difference of figures that are alike, over their size.
+pub const ROUNDING: f64 = 1e-9;
+
 macro_rules! figures {
     (
         contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_quantity:ident $contact_type:ty,)* }

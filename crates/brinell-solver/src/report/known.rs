@@ -9,9 +9,6 @@ use crate::contact::ContactLoad;
 use crate::solver::method::figures::{Figures, Values};
 use crate::solver::{Energy, SolveStatus};
 
-/// Difference of figures that are alike, over their size.
-pub(super) const ROUNDING: f64 = 1e-9;
-
 /// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases
 /// and say nothing about the theory: for that see `validity`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

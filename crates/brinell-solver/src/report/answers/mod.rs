@@ -14,11 +14,11 @@ pub use row::{Answer, AnswerAt, AnswerBody, AnswerPlace, ErrorBar, ErrorWord};
 
 use super::datum::Datum;
 use super::findings::{Finding, Voids};
-use super::known::{ErrorEstimate, FlowFigures, Known, ROUNDING, Zone};
+use super::known::{ErrorEstimate, FlowFigures, Known, Zone};
 use crate::contact::ContactLoad;
 use crate::job::{Analysis, Body, Job, Load, Quantity, Side, Theory};
 use crate::solver::SolveStatus;
-use crate::solver::method::figures::Figure;
+use crate::solver::method::figures::{Figure, ROUNDING};
 use crate::units::UnitConverter;
 
 /// A largest value of a field, and its place. Lengths in mm, stresses in MPa.

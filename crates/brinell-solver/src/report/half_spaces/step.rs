@@ -19,7 +19,7 @@ use crate::report::error_bars::BESIDE;
 use crate::report::fatigue;
 use crate::report::findings::{Finding, Known};
 use crate::report::known::ErrorEstimate;
-use crate::report::known::{self, Hertz, Onset, ROUNDING, RollerFigures, Rough, Whole, Zone};
+use crate::report::known::{self, Hertz, Onset, RollerFigures, Rough, Whole, Zone};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::subsurface::below;
 use crate::report::{
@@ -30,7 +30,7 @@ use crate::solver::half_spaces::{
     self, EllipticReference, HalfSpaceBody, HalfSpaceField, HalfSpaceProblem, HalfSpaceRun,
     HalfSpaceStep, Row, target_error, target_figure,
 };
-use crate::solver::method::figures::{Figure, Values};
+use crate::solver::method::figures::{Figure, ROUNDING, Values};
 use crate::solver::{Interrupt, Observer, Options, SLOPE_ERROR, StepReceiver};
 use crate::units::UnitConverter;
 

@@ -3,10 +3,8 @@
 use super::document::{RuleVerdict, SolvedHardening, TrackVerdict};
 use crate::job::Side;
 use crate::report::answers::Name;
+use crate::solver::method::figures::ROUNDING;
 use crate::solver::rolling::{BodyPass, BodyPassErrors, Limit, Pass, PassErrors};
-
-/// Part of the force below which a rolling force is rounding.
-const ROUNDING: f64 = 1e-9;
 
 /// A track after its passes.
 #[derive(Debug, Clone)]

@@ -18,7 +18,7 @@ use crate::report::fatigue::BodyFatigue;
 use crate::report::findings::Finding;
 use crate::report::hertz::line;
 use crate::report::known::ErrorEstimate;
-use crate::report::known::{Hertz, Known, ROUNDING};
+use crate::report::known::{Hertz, Known};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::solve_error::track_text;
 use crate::report::subsurface::below;
@@ -26,7 +26,7 @@ use crate::report::{
     ContactNodes, ContactReport, LayersReport, MeshReport, Patch, PerBody, Side, SubsurfaceReport,
 };
 use crate::solver::half_spaces::ColumnPoint;
-use crate::solver::method::figures::{Figure, Values};
+use crate::solver::method::figures::{Figure, ROUNDING, Values};
 use crate::solver::rolling::{
     self, FrictionLimit, HardeningRules, Pass, PassErrors, RollingProblem, TrackField, TrackRun,
     TrackStep,
