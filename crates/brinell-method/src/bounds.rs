@@ -12,11 +12,12 @@ pub struct Bound {
 
 /// Of figures that hardly feel where the contact ends.
 pub const SECOND_ORDER: Bound = Bound { least: 0.1, order: 2 };
-/// Of figures that feel it, and of figures on the axis of a circle.
+/// Of figures that feel it.
 pub const AT_ENDS: Bound = Bound { least: 0.5, order: 2 };
-/// Of plastic strains, and of the least stress of a circle.
+/// Of plastic strains, and of pressures on the axis of a circle.
 pub const FIRST_ORDER: Bound = Bound { least: 0.1, order: 1 };
-/// Of what single elements decide: the area of the points that have yielded, the largest strain.
+/// Of what single elements decide: the area of the points that have yielded, the largest strain, a
+/// stress beside the axis of a circle.
 pub const BY_ELEMENTS: Bound = Bound { least: 0.3, order: 1 };
 /// Of plastic figures in plane stress, where flow gathers in bands of the width of an element.
 pub const IN_BANDS: Bound = Bound { least: 1.0, order: 1 };

@@ -106,10 +106,10 @@ impl Bars {
             }
             Figure::PlasticArea => BY_ELEMENTS,
             Figure::MaxPlasticStrain if !is_circle => BY_ELEMENTS,
+            Figure::LeastStress if is_circle => BY_ELEMENTS,
             Figure::MaxPlasticStrain | Figure::MeanPlasticStrain => FIRST_ORDER,
-            Figure::LeastStress if is_circle => FIRST_ORDER,
+            Figure::PeakPressure | Figure::MiddlePressure if is_circle => FIRST_ORDER,
             Figure::HalfWidth | Figure::PileUp => AT_ENDS,
-            Figure::PeakPressure | Figure::MiddlePressure if is_circle => AT_ENDS,
             Figure::Approach | Figure::Dent | Figure::LargestVonMises | Figure::LeastStress
                 if is_banded =>
             {

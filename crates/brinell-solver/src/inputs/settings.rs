@@ -13,6 +13,9 @@ use crate::job::{
 /// Accuracy up to which the increments that a solve chooses do. Their error falls like their square.
 const OF_CHOSEN_INCREMENTS: f64 = 0.005;
 
+/// Most times as many of them, which do for the smallest accuracy.
+const MOST_TIMES: u32 = 3;
+
 /// Returns the settings of the solve that a job asks for. Of bodies without a memory each load is
 /// solved at once.
 pub fn settings(job: &Job) -> Settings {
@@ -33,7 +36,7 @@ pub fn increments(job: &Job) -> Increments {
         let accuracy = job.mesh.accuracy.map_or(1.0, PositiveF64::get);
         f64::from(times * times) * accuracy >= OF_CHOSEN_INCREMENTS
     };
-    let chosen = || Increments::Chosen((1..).find(does).unwrap_or(1));
+    let chosen = || Increments::Chosen((1..MOST_TIMES).find(does).unwrap_or(MOST_TIMES));
     job.solver.increments.map_or_else(chosen, Increments::Given)
 }
 
