@@ -7,7 +7,7 @@ pub use brinell_fem::engine::*;
 pub use brinell_halfspace::engine::{half_spaces, rolling};
 pub(crate) use brinell_method as method;
 pub use brinell_method::figures::{BodyFigures, Figure, FigureSet, Figures, Values};
-pub use brinell_method::increments::LastIncrement;
+pub use brinell_method::increments::{Increments, LastIncrement};
 pub use brinell_method::observer::{
     Held, IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };

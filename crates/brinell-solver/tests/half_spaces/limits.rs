@@ -54,7 +54,7 @@ fn one_increment_from_rest_is_deformation_theory() {
     problem.loads = forces([force]);
     let whole = solved(&problem).remove(0);
     problem.solver.theory = Theory::Flow;
-    problem.solver.increments = Some(1);
+    problem.solver.increments = Increments::Given(1);
     problem.loads = forces([force]);
     let flow = solved(&problem).remove(0);
     near(flow.field.surface.grid.hx(), whole.field.surface.grid.hx(), 1e-12, "cells");
@@ -92,7 +92,7 @@ fn work_of_force(step: &HalfSpaceStep) -> f64 {
 fn work_is_stored_or_dissipated() {
     let energy_of = |ratio: f64, tolerance: f64| {
         let mut problem = on_flat(2.0 * RADIUS, steel(Some(0.05)), 6);
-        problem.solver.increments = Some(20);
+        problem.solver.increments = Increments::Given(20);
         let [loaded, unloaded] = loaded_and_unloaded(problem, ratio);
         near(loaded.path.energy.unwrap().work(), work_of_force(&loaded), tolerance, "work");
         [loaded, unloaded].map(|step| step.path.energy.unwrap())

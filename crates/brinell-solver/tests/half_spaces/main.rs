@@ -24,7 +24,7 @@ use brinell_solver::solver::half_spaces::{
     Conformity, HalfSpaceError, HalfSpaceProblem, HalfSpaceStep, errors, estimate, run_each,
 };
 use brinell_solver::solver::{
-    Figure, Held, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
+    Figure, Held, Increments, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
 
 const YIELD_STRESS: f64 = 500.0;
@@ -429,7 +429,7 @@ fn ellipses_that_yield() {
     let five = loaded.figures.peak_pressure;
 
     let mut longer = on_flat(200.0, steel(Some(0.05)), 15);
-    longer.solver.increments = Some(8);
+    longer.solver.increments = Increments::Given(8);
     let [loaded, unloaded] = loaded_and_unloaded(longer, 4.0);
     near(loaded.figures.peak_pressure, 1218.4, 1e-2, "peak");
     near(loaded.figures.approach, 5.264e-3, 1e-2, "approach");
