@@ -93,6 +93,19 @@ service.test(
   },
 );
 
+service.test('a slider moves on one mesh, and is left on those of the accuracy', async (page) => {
+  const asks = (/** @type {unknown} */ accuracy) =>
+    page.waitForRequest(
+      (one) => one.url().endsWith('/v1/solve') && one.postDataJSON().mesh.accuracy === accuracy,
+    );
+  await choice(page).selectOption('0.03');
+  const place = page.locator('[data-place="/load/force"]');
+  await place.getByRole('button', { name: 'Slider' }).click();
+  const both = Promise.all([asks(undefined), asks(0.03)]);
+  await place.getByRole('slider').press('ArrowRight');
+  await both;
+});
+
 service.test('a search that asks for an accuracy is refused at its field', async (page) => {
   await page.getByRole('button', { name: 'JSON', exact: true }).click();
   const find = { vary: '/load/force', between: [300, 900], until: { peak_pressure: 900 } };
