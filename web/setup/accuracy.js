@@ -43,5 +43,5 @@ export function timeWords(asked, job, solved) {
   const time = finer
     .slice(0, enough < 0 ? undefined : enough + 1)
     .reduce((sum, times) => sum + timings.total * times ** exponent(job), 0);
-  return `${enough < 0 ? 'at most' : 'about'} ${duration(time, 2)}`;
+  return time > 0 ? `${enough < 0 ? 'at most' : 'about'} ${duration(time, 2)}` : '';
 }

@@ -152,4 +152,6 @@ test('times add those of all meshes up to the one that is fine enough', () => {
   assert.equal(words(0.003), 'at most 51 s');
   assert.equal(words(0.01, { ...ROLLERS, mesh: { elements_per_half_width: 8 } }), 'about 4.9 s');
   assert.equal(words(0.01, { ...ROLLERS, load: { force: 2 } }), '');
+  const typed = /** @type {any} */ ({ elements_per_half_width: 'many' });
+  assert.equal(words(0.01, { ...ROLLERS, mesh: typed }), '');
 });
