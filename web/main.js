@@ -122,6 +122,7 @@ const watch = new Watch({
       type: 'solved',
       shown: { id, report, job, fields, colour: COLOURS[0], label: '' },
     });
+    form.showTimes({ job, report });
     show();
     if (innerWidth < 900)
       byId('result').scrollIntoView({ behavior: isStill.matches ? 'auto' : 'smooth' });
@@ -167,6 +168,7 @@ const live = new Live({
       type: 'solved',
       shown: { id: '', report, job: solved, colour: COLOURS[0], label: '' },
     });
+    form.showTimes({ job: solved, report });
     const { total } = report.timings_ms;
     const elements = solved.mesh?.elements_per_half_width;
     const coarse =

@@ -278,9 +278,9 @@ export const loaded = (received, total) =>
 export const grouped = (count) => String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, '\u202f');
 
 /** @param {number} ms */
-export const duration = (ms) =>
+export const duration = (ms, digits = 3) =>
   ms < 1000
-    ? `${figure(ms, 3)} ms`
+    ? `${figure(ms, digits)} ms`
     : ms < 120e3
-      ? `${figure(ms / 1000, 3)} s`
+      ? `${figure(ms / 1000, digits)} s`
       : `${Math.round(ms / 60e3)} min`;

@@ -3,6 +3,7 @@
  */
 
 import { plain } from '../lib/units.js';
+import { oneMesh } from '../setup/accuracy.js';
 import { lowered } from '../setup/field.js';
 
 /** @typedef {import('../types.js').Job} Job */
@@ -14,8 +15,8 @@ const [MOST, TOLERANCE] = [12, 0.05];
 /** Inputs whose parts say nothing: they are counted, or have a zero of their own. */
 const LEFT = /\/(passes|history|tilt|moment|points|profile|heights)(\/|$)/;
 
-/** The job itself, without a question. @param {Job} job @returns {Job} */
-const bare = ({ find: _found, tolerances: _told, ...job }) => job;
+/** The job itself on one mesh, without a question. @param {Job} job @returns {Job} */
+const bare = ({ find: _found, tolerances: _told, ...job }) => ({ ...job, mesh: oneMesh(job) });
 
 /**
  * The job that looks for a number with which an answer has a value.

@@ -24,7 +24,8 @@ export function progressOf(history, job) {
   const kind = job.load?.rolling ? 'pass' : 'load';
   const words = [
     all > 1 ? `${kind} ${at} of ${all}` : `iteration ${last.iteration}`,
-    part > TOLD && rest > BEGUN && `about ${rounded(rest)} left`,
+    // How many meshes an accuracy takes is not known.
+    !job.mesh?.accuracy && part > TOLD && rest > BEGUN && `about ${rounded(rest)} left`,
   ];
   return { words: words.filter(Boolean).join(', '), part };
 }

@@ -444,7 +444,7 @@ function inputs({ job, report: { theory } }) {
       ...(theory ? [whole('Theory', THEORIES[theory]?.toLowerCase() ?? '', '')] : []),
       whole('Elements per half-width', writeValue(elements), ''),
       // Of the settings, those that are not as they are without a word.
-      SETTINGS.filter(({ key }) => key.startsWith('solver/')).flatMap(({ key, label }) => {
+      SETTINGS.filter(({ key }) => /^solver|accuracy/.test(key)).flatMap(({ key, label }) => {
         const value = pointer.get(job, `/${key}`);
         const usual = /** @type {Record<string, unknown>} */ (DEFAULTS)[`/${key}`];
         return value == null || value === usual ? [] : [whole(label, writeValue(value), '')];

@@ -148,7 +148,9 @@ const NODE = 4 * (2 + 2 + 6) + 16;
 /** @param {{equations: number, bytes: number}} estimate @param {import('../types.js').Job} job @returns {string} what it takes to solve it, and to look at it */
 function cost({ equations, bytes }, job) {
   const steps = (job.load?.forces ?? job.load?.approaches ?? job.load?.history)?.length ?? 1;
-  const parts = [`${grouped(equations)} equations, ${megabytes(bytes)}`];
+  // The estimate is that of the finest mesh.
+  const most = job.mesh?.accuracy ? 'at most ' : '';
+  const parts = [`${most}${grouped(equations)} equations, ${megabytes(bytes)}`];
   if (steps > 1) parts.push(`${steps} steps`);
   if (job.output?.fields) parts.push(`fields ${megabytes((steps * equations * NODE) / 2)}`);
   return parts.join(', ');

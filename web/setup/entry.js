@@ -206,7 +206,7 @@ function choiceControl(field, id) {
   );
   return {
     input,
-    read: () => input.value || undefined,
+    read: () => (input.value && field.quantity ? Number(input.value) : input.value || undefined),
     write: (value) => {
       input.value = value ?? '';
     },

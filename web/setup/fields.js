@@ -367,6 +367,15 @@ export const SUPPORTS = { clamped: 'Clamped', roller: 'Roller' };
 /** @type {Field[]} */
 export const SETTINGS = [
   { key: 'mesh/elements_per_half_width', label: 'Elements per half-width', quantity: 'number' },
+  {
+    key: 'mesh/accuracy',
+    label: 'Accuracy',
+    quantity: 'number',
+    kind: 'choice',
+    choices: { 0.03: '3 %', 0.01: '1 %', 0.003: '0.3 %' },
+    none: 'Mesh as given',
+    optional: true,
+  },
   { key: 'solver/increments', label: 'Increments a load', quantity: 'number' },
   { key: 'solver/tolerance', label: 'Tolerance', quantity: 'number' },
   { key: 'solver/max_iterations', label: 'Iterations at most', quantity: 'number' },

@@ -8,6 +8,7 @@ import { keepFocus } from '../lib/focus.js';
 import { browser } from '../lib/kept.js';
 import * as pointer from '../lib/pointer.js';
 import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
+import { timeWords } from './accuracy.js';
 import { jobFor } from './draft.js';
 import { entry } from './entry.js';
 import {
@@ -53,6 +54,8 @@ export class Form {
   #before = new Map();
   /** @type {import('./layout.js').Place[]} */
   #layout = [];
+  /** The last job that was solved on one mesh. @type {import('./accuracy.js').Solved | undefined} */
+  #solved;
   /** What the service has said of each field, and of which value. @type {Map<string, {message: string, of: unknown}>} */
   #reported = new Map();
 
@@ -124,6 +127,18 @@ export class Form {
     }
   }
 
+  /** Says beside each accuracy how long it takes. @param {import('./accuracy.js').Solved} [solved] a job that is shown now */
+  showTimes(solved) {
+    if (solved?.report.status === 'converged' && !solved.job.mesh?.accuracy) this.#solved = solved;
+    const { entry, field } = /** @type {Made} */ (this.#fields.get('/mesh/accuracy'));
+    const { options } = /** @type {HTMLSelectElement} */ (entry.input);
+    for (const option of options) {
+      const words = timeWords(Number(option.value), this.draft.job, this.#solved);
+      const label = field.choices?.[option.value];
+      if (label) option.textContent = words ? `${label}, ${words}` : label;
+    }
+  }
+
   /** How many fields are wrong. */
   get faults() {
     return this.root.querySelectorAll('[aria-invalid=true]').length;
@@ -181,6 +196,7 @@ export class Form {
       this.parts[body].copy.tabIndex = alike ? -1 : 0;
     }
     this.#showErrors();
+    this.showTimes();
   }
 
   /** @param {Body} body */

@@ -41,6 +41,8 @@ const TEXTS = {
     'How far the two held sides move towards each other. It depends on where the bodies are held.',
   'mesh/elements_per_half_width':
     'Elements over half the width of the contact, in three dimensions cells over each semi-axis. 20 gives the peak pressure to some 0.05 %, 10 is enough for a look; time and memory grow with the square.',
+  'mesh/accuracy':
+    'Largest error of the figures that answer the job. The mesh is refined until their error bars are as small, to at most four times the elements; a remark of the result names a figure that misses it. How long it takes is told from the time and the error bars of the same set-up on one mesh, once that is solved. Searches and tolerances take one mesh.',
   'solver/increments':
     'Steps in which flow theory puts each load on. Left empty, the program chooses them from its own estimate of their error.',
   'solver/tolerance':

@@ -1,6 +1,8 @@
 /** Which fields the form has for a job, in their order: a function of the job alone. */
 
 import { isObject } from '../lib/kept.js';
+import * as pointer from '../lib/pointer.js';
+import { plain } from '../lib/units.js';
 import {
   ANALYSES,
   BACKSTRESS,
@@ -46,8 +48,16 @@ export const layoutOf = (job) => [
   choice('general', '/units', 'Units', UNIT_SYSTEMS),
   ...['upper', 'lower'].flatMap((body) => ofBody(job, /** @type {Body} */ (body))),
   ...ofLoad(job),
-  ...fields('settings', '', SETTINGS),
+  ...fields('settings', '', SETTINGS.map(withOwn(job))),
 ];
+
+/** A choice among figures has that of the job too. @param {Job} job @returns {(field: Field) => Field} */
+const withOwn = (job) => (field) => {
+  const own = pointer.get(job, `/${field.key}`);
+  return typeof own === 'number' && field.choices && !(own in field.choices)
+    ? { ...field, choices: { ...field.choices, [own]: `${plain(100 * own)} %` } }
+    : field;
+};
 
 /** What a job is about. @param {Job} job @returns {Door} */
 export function doorOf(job) {

@@ -7,6 +7,7 @@
 import { Problem } from '../api/client.js';
 import { solveNow } from '../api/result.js';
 import { numberOf } from '../lib/number.js';
+import { oneMesh } from './accuracy.js';
 import { usualElements } from './fields.js';
 
 /** Elements per half-width while the slider moves; cells of half-spaces are more for the same number. @param {Job} job */
@@ -33,10 +34,8 @@ export class Live {
     const copy = structuredClone(job);
     const elements = numberOf(job.mesh?.elements_per_half_width ?? usualElements(job));
     const few = coarse(job);
-    const solved =
-      moving && elements > few
-        ? { ...copy, mesh: { ...copy.mesh, elements_per_half_width: few } }
-        : copy;
+    const mesh = elements > few ? { ...copy.mesh, elements_per_half_width: few } : copy.mesh;
+    const solved = moving ? { ...copy, mesh: oneMesh({ mesh }) } : copy;
     this.#next = { job: copy, solved, moving };
     if (!this.#running) this.#run();
     else if (performance.now() - this.#running.since > SLOW) this.#running.controller.abort();

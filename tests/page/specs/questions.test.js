@@ -78,7 +78,7 @@ service.test('the stress that is left has the names of axisymmetry', async (page
   await shown(page, { analysis: 'axisymmetric', load: { history }, solver: { theory: 'flow' } });
   assert.deepEqual((await cards(page)).slice(0, 3), ['Dent', 'Pile-up', 'Permanent approach']);
   const tension = await row(page, 'Residual tension');
-  await tension.getByText(/^of all /).waitFor();
+  await tension.getByText(/\bof all /).waitFor();
   for (const name of ['σr', 'σθ'])
     await page.locator('#panel-depth .legend').getByText(name, { exact: true }).waitFor();
 });
