@@ -337,8 +337,7 @@ mod tests {
 
     #[test]
     fn a_job_too_large_comes_with_its_estimate() {
-        let estimate =
-            JobEstimate { equations: 5_000_000, bytes: 8 << 30, result_bytes: 100_000, work: 1 };
+        let estimate = JobEstimate { equations: 5_000_000, bytes: 8 << 30, result_bytes: 100_000 };
         let problem = Problem::from(Rejection::TooLarge { estimate, limit: 4 << 30 });
         insta::assert_json_snapshot!(problem, @r#"
         {

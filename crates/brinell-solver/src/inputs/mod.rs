@@ -19,4 +19,4 @@ pub(crate) use plane::meshed_contact;
 pub use plane::{elastic_reference, run, run_with, support};
 pub(crate) use rolling::RollingInput;
 pub use settings::{increments, loads, settings};
-pub(crate) use slopes::{of_small_mesh, small_solves};
+pub(crate) use slopes::of_small_mesh;

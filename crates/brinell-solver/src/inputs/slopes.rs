@@ -18,16 +18,9 @@ pub(super) fn of_slopes(job: &Job) -> Option<u32> {
     job.output.contact_stiffness.then(|| small(job))
 }
 
-/// Returns what small meshes take of what a mesh of the job's own takes, of memory or of the work
-/// of one solve; nothing where they are not made.
+/// Returns what small meshes take of what a mesh of the job's own takes, of memory; nothing where they are not made.
 pub(crate) fn of_small_mesh(job: &Job, own: u64) -> u64 {
     let dimensions = if job.analysis == Analysis::ThreeDimensional { 3 } else { 2 };
     let of = |elements: u32| u64::from(elements).pow(dimensions);
     of_slopes(job).map_or(0, |small| own * of(small) / of(job.mesh.elements_per_half_width))
-}
-
-/// Returns the small meshes that are solved for so many steps: of a history each with the loads
-/// before.
-pub(crate) fn small_solves(job: &Job, steps: u64) -> u64 {
-    if job.has_memory() && job.load.is_history() { steps * (steps + 1) } else { 2 * steps }
 }

@@ -16,9 +16,6 @@ pub struct JobEstimate {
     pub bytes: u64,
     /// The result of all steps as it is kept \[bytes\].
     pub result_bytes: u64,
-    /// How much work it is, in units of its own: to weigh jobs against each other.
-    #[serde(skip)]
-    pub work: u64,
 }
 
 /// Bytes that every job takes: the heap of a thread, in pages of 2 MiB, and buffers of the load
@@ -32,18 +29,15 @@ pub(super) const STEP_BYTES: u64 = 8 << 10;
 pub(super) const REPORTED_INCREMENT_BYTES: u64 = 1024;
 /// Increments that the solver chooses itself: in total up to the largest load, and for each load.
 const CHOSEN_INCREMENTS: [u64; 2] = [32, 2];
-/// Mesh solves of a search for a load. Coarser meshes count by their share of the work.
-const SEARCH_SOLVES: u64 = 4;
 
-/// Returns the number of load steps of a job and of their mesh solves.
-pub(super) fn steps_and_solves(job: &Job) -> [u64; 2] {
+/// Returns the number of load steps of a job.
+pub(super) fn steps_of(job: &Job) -> u64 {
     match &job.load {
-        Load::Forces(sweep) | Load::Approaches(sweep) => [sweep.iter().count() as u64; 2],
-        Load::History(history) => [history.iter().count() as u64; 2],
+        Load::Forces(sweep) | Load::Approaches(sweep) => sweep.iter().count() as u64,
+        Load::History(history) => history.iter().count() as u64,
         // One load step under the force and one after its removal.
-        Load::Target(target) if target.figure.is_permanent() => [2, 2 * SEARCH_SOLVES],
-        Load::Rolling(rolling) => [1, rolling.passes.into()],
-        Load::Onset | Load::Target(_) => [1, SEARCH_SOLVES],
+        Load::Target(target) if target.figure.is_permanent() => 2,
+        Load::Rolling(_) | Load::Onset | Load::Target(_) => 1,
     }
 }
 

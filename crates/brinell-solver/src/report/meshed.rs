@@ -5,7 +5,7 @@ use brinell_halfspace::Stop;
 use super::answers::Measured;
 use super::cost::{
     FIELD_COPIES, JobEstimate, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
-    steps_and_solves,
+    steps_of,
 };
 use super::datum::Datum;
 use super::findings::Finding;
@@ -18,7 +18,7 @@ use super::{
     fatigue, fields, flow, hardness, onset, plastic_zone, subsurface, target, validity,
 };
 use crate::fatigue::{not_smooth, of_section};
-use crate::inputs::{SolveError, of_small_mesh, small_solves};
+use crate::inputs::{SolveError, of_small_mesh};
 use crate::job::Job;
 use crate::solver::method::figures::Figure;
 use crate::solver::method::observer::ask;
@@ -35,8 +35,6 @@ const STEP_BYTES_PER_ELEMENT: u64 = 832;
 /// Bytes per node of an increment of flow theory. The solver keeps displacements of the coarse
 /// mesh, with a quarter of the nodes, for this number of increments and for twice the number.
 const INCREMENT_BYTES: u64 = 16 * (1 + 2) / 4;
-/// Memory of a job \[bytes\] whose load step counts as one unit of work.
-const WORK_UNIT: u64 = 1 << 16;
 
 /// Meshed bodies.
 pub(super) struct Meshed<'a> {
@@ -65,17 +63,16 @@ impl Shown for Meshed<'_> {
         self.job
     }
 
-    /// Adds memory and work of the result to the estimate of the solver.
+    /// Adds the memory of the result to the estimate of the solver.
     fn cost(&self) -> Result<JobEstimate, SolveError> {
         let job = self.job;
         let estimate = solver::estimate(&self.contact)?;
-        let [steps, solves] = steps_and_solves(job);
+        let steps = steps_of(job);
         let increments = if job.has_memory() { increments_of(job, steps)[1] } else { 0 };
         let nodes = estimate.equations as u64 / 2;
         let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
         let elements = u64::from(job.mesh.elements_per_half_width);
         let step = fields + STEP_BYTES + STEP_BYTES_PER_ELEMENT * elements;
-        let work = (estimate.bytes / WORK_UNIT).max(1);
         Ok(JobEstimate {
             equations: estimate.equations,
             bytes: SOLVER_BYTES
@@ -84,7 +81,6 @@ impl Shown for Meshed<'_> {
                 + FIELD_COPIES * fields
                 + increments * (nodes * INCREMENT_BYTES + REPORTED_INCREMENT_BYTES),
             result_bytes: step * steps + increments * REPORTED_INCREMENT_BYTES,
-            work: work * solves + of_small_mesh(job, work) * small_solves(job, steps),
         })
     }
 

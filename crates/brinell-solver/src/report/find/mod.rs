@@ -15,19 +15,9 @@ pub use document::{FoundReport, Looks, TolerancesReport};
 pub use trials::Solve;
 use trials::{Trials, rows_of};
 
-/// Solves of a search in its estimate: both ends, three or four secants, and a neighbour of the
-/// value found.
-const SEARCH_SOLVES: usize = 7;
-
 /// Returns whether a job needs more than one solve.
 pub fn is_asked(job: &Job) -> bool {
     job.find.is_some() || !job.tolerances.is_empty()
-}
-
-/// Returns how many solves are expected.
-fn solves(job: &Job) -> usize {
-    let search = if job.find.is_some() { SEARCH_SOLVES } else { 1 };
-    search + 2 * job.tolerances.len()
 }
 
 /// Estimates the cost of a job by that of its most expensive solve.
@@ -54,12 +44,11 @@ pub fn estimate(
             equations: whole.equations.max(one.equations),
             bytes: whole.bytes.max(one.bytes),
             result_bytes: whole.result_bytes.max(one.result_bytes),
-            work: whole.work.max(one.work),
         };
     }
     // The steps of the nearest look are kept.
     let bytes = whole.bytes + whole.result_bytes;
-    Ok(JobEstimate { bytes, work: whole.work * solves(job) as u64, ..whole })
+    Ok(JobEstimate { bytes, ..whole })
 }
 
 /// Finds the input that a job asks for, solves the job with it, passes its steps on and tells what

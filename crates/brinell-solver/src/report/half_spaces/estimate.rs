@@ -1,11 +1,11 @@
-//! Estimate of memory and work of a job in three dimensions.
+//! Estimate of the memory of a job in three dimensions.
 
-use crate::inputs::{of_small_mesh, small_solves};
+use crate::inputs::of_small_mesh;
 use crate::job::Job;
 use crate::report::LAYER_NAMES;
 use crate::report::cost::{
     FIELD_COPIES, JobEstimate, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
-    steps_and_solves,
+    steps_of,
 };
 use crate::solver::half_spaces::{self, HalfSpaceError, HalfSpaceProblem};
 
@@ -18,8 +18,6 @@ const ROW_BYTES: u64 = 220;
 const PRELIMINARY: u64 = 13;
 /// Copies of the records of a load while its step is reported, encoded and stored.
 const RECORD_COPIES: u64 = 4;
-/// Number of cells of the layers whose load step counts as one unit of work.
-const WORK_UNIT: u64 = 1000;
 
 /// Returns the estimate of a job.
 ///
@@ -37,7 +35,7 @@ pub(super) fn estimate(
     let materials = problem.materials.iter().flatten();
     let yielding = materials.filter(|material| material.can_yield()).count() as u64;
     let yielding = if are_equal { yielding.min(1) } else { yielding };
-    let [steps, solves] = steps_and_solves(job);
+    let steps = steps_of(job);
     let bodies = problem.materials.iter().flatten().count() as u64;
     let (maps, fields) = if job.output.fields {
         (MAP_BYTES * surface, (size_of::<f64>() * LAYER_NAMES.len()) as u64 * volume * bodies)
@@ -46,7 +44,6 @@ pub(super) fn estimate(
     };
     let along = if problem.rollers.is_empty() { 0 } else { rows };
     let step = STEP_BYTES + ROW_BYTES * (columns + rows + along + layers) + maps;
-    let work = (volume / WORK_UNIT).max(1);
     let is_history = job.has_memory();
     let [of_load, increments] = if is_history { increments_of(job, steps) } else { [0; 2] };
     let preliminary = if is_history {
@@ -64,6 +61,5 @@ pub(super) fn estimate(
             + preliminary
             + RECORD_COPIES * REPORTED_INCREMENT_BYTES * of_load,
         result_bytes: (step + fields) * steps + REPORTED_INCREMENT_BYTES * increments,
-        work: work * solves + of_small_mesh(job, work) * small_solves(job, steps),
     })
 }

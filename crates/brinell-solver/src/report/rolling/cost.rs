@@ -1,18 +1,14 @@
-//! Estimate of memory and work of a load that rolls.
+//! Estimate of the memory of a load that rolls.
 
 use crate::job::Job;
 use crate::report::cost::{JobEstimate, SOLVER_BYTES, STEP_BYTES};
-use crate::solver::rolling::{
-    HardeningRules, RollingProblem, TrackError, TrackEstimate, estimate,
-};
+use crate::solver::rolling::{RollingProblem, TrackError, TrackEstimate, estimate};
 
 /// Bytes of the report of a pass, and of a column of the window or a layer.
 const PASS_BYTES: u64 = 900;
 const ROW_BYTES: u64 = 120;
 /// Numbers of a cell of the section of a track.
 const SECTION_NUMBERS: u64 = 14;
-/// Cells of a track whose pass counts as one unit of work.
-const WORK_UNIT: u64 = 10_000;
 
 /// Returns the estimate of a job.
 ///
@@ -21,12 +17,8 @@ const WORK_UNIT: u64 = 10_000;
 pub(super) fn cost(job: &Job, problem: &RollingProblem) -> Result<JobEstimate, TrackError> {
     let TrackEstimate { columns, window, layers, rows, bytes } = estimate(problem)?;
     let bodies = problem.yielding().count();
-    let cells = (columns * rows * layers * bodies) as u64;
     let components = if rows > 1 { 5 } else { 3 };
     let passes = u64::from(problem.load.passes);
-    let is_twice = problem.load.hardening == HardeningRules::Both
-        && problem.hardening_kinematically().is_some();
-    let rules = if is_twice { 2 } else { 1 };
     let section = if job.output.fields && rows > 1 { 2 * (2 * rows * layers) as u64 } else { 0 };
     let report = STEP_BYTES
         + PASS_BYTES * passes
@@ -36,6 +28,5 @@ pub(super) fn cost(job: &Job, problem: &RollingProblem) -> Result<JobEstimate, T
         equations: window * rows + components * columns * rows * layers * bodies,
         bytes: SOLVER_BYTES + bytes + 8 * report,
         result_bytes: report,
-        work: (cells / WORK_UNIT).max(1) * passes * rules,
     })
 }
