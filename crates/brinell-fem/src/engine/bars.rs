@@ -22,6 +22,8 @@ pub struct Bars {
     scales: Values,
     /// Whether the load is the largest so far.
     is_loading: bool,
+    /// Whether the peak pressure is nearer to an end of the contact than to its middle.
+    peaks_at_end: bool,
 }
 
 impl Bars {
@@ -68,6 +70,7 @@ impl Bars {
             shown: step.path.shown,
             scales,
             is_loading: step.figures.approach >= step.path.reached[0],
+            peaks_at_end: 2.0 * (step.field.peak_position - step.field.middle).abs() > half_width,
         })
     }
 
@@ -109,6 +112,8 @@ impl Bars {
             Figure::LeastStress if is_circle => BY_ELEMENTS,
             Figure::MaxPlasticStrain | Figure::MeanPlasticStrain => FIRST_ORDER,
             Figure::PeakPressure | Figure::MiddlePressure if is_circle => FIRST_ORDER,
+            // A pressure that drops from its peak to nothing tells its end worse.
+            Figure::HalfWidth if self.peaks_at_end => FIRST_ORDER,
             Figure::HalfWidth | Figure::PileUp => AT_ENDS,
             Figure::Approach | Figure::Dent | Figure::LargestVonMises | Figure::LeastStress
                 if is_banded =>
