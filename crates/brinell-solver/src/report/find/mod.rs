@@ -15,9 +15,19 @@ pub use document::{FoundReport, Looks, TolerancesReport};
 pub use trials::Solve;
 use trials::{Trials, rows_of};
 
+/// Solves that a search is expected to take: both ends, three or four secants, and a neighbour of
+/// the value found.
+const SEARCH_SOLVES: usize = 7;
+
 /// Returns whether a job needs more than one solve.
 pub fn is_asked(job: &Job) -> bool {
     job.find.is_some() || !job.tolerances.is_empty()
+}
+
+/// Returns how many solves are expected.
+fn solves(job: &Job) -> usize {
+    let search = if job.find.is_some() { SEARCH_SOLVES } else { 1 };
+    search + 2 * job.tolerances.len()
 }
 
 /// Estimates the cost of a job by that of its most expensive solve.
