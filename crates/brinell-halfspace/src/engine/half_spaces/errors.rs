@@ -45,9 +45,9 @@ pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Valu
     let of_grid = differences.map(|figure, side, difference| {
         let bound = match figure {
             Figure::MaxPlasticStrain | Figure::PileUp => BY_ELEMENTS,
-            // The peak of a tilted roller that yields, and the end of its contact, lie on single rows.
-            Figure::PeakPressure if is_tilted && yields => BY_ELEMENTS,
+            // The contact of a tilted roller ends on one row.
             Figure::SemiAxisY if is_tilted => BY_ELEMENTS,
+            Figure::PeakPressure if is_tilted && yields => FIRST_ORDER,
             Figure::HalfWidth | Figure::SemiAxisY | Figure::ContactArea | Figure::LeastStress => {
                 FIRST_ORDER
             }
@@ -137,7 +137,6 @@ fn relative_sizes(step: &HalfSpaceStep) -> Values {
     step.figures.values().map(|figure, _, _| match figure {
         Figure::HalfWidth => along_x,
         Figure::SemiAxisY => along_y,
-        Figure::ContactArea => along_x + along_y,
         Figure::PeakPressure => at_peak.recip(),
         _ => along_x.max(along_y),
     })
