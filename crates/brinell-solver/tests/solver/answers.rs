@@ -248,8 +248,7 @@ fn curves_that_begin_low_are_solved() {
     }
 }
 
-/// Elastic bodies whose two grids agree by chance: 40 cells have a peak of 799.97 MPa, 6 cells 0.36 %
-/// less.
+/// A peak off the middle of its cell, on two grids that agree: 40 cells have 799.97 MPa.
 #[test]
 fn two_grids_that_agree_leave_a_bar() {
     let elastic = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
@@ -261,7 +260,7 @@ fn two_grids_that_agree_leave_a_bar() {
     let step = solve(&job).steps.remove(0);
     let bar = step.bar(Name::PeakPressure).unwrap();
     near(799.97, step[Name::PeakPressure], bar, "peak");
-    assert!(bar < 0.03, "{bar}");
+    assert!(bar < 0.01, "{bar}");
 }
 
 /// A roller in three dimensions and the same cylinder in the plane; a ball and Hertz's mean

@@ -1,13 +1,14 @@
 //! Estimated errors of the figures of a step.
 //!
 //! ```text
-//! error = 0.7 |x(n) - x(n/2)| + L (h/a)^p |x| + ½ |x(N) - x(N/2)|      n cells, N increments
+//! error = ½ |x(n) - x(n/2)| + L (h/a)^p |x| + ½ |x(N) - x(N/2)|      n cells, N increments
 //! ```
-//! L and p are those of a [bound](brinell_method::bounds).
-//! Under flow theory, an error less the term of the increments is at least what the loads so far
-//! have shown. h/a is the cell over the semi-axis, along x or y where it is larger. The term of the
-//! increments comes from the coarse grid.
+//! L and p are those of a [bound](brinell_method::bounds). Of an extrapolated figure the difference is
+//! what the extrapolation has added. Under flow theory, an error of any other figure, less the term of
+//! the increments, is at least what the loads so far have shown. h/a is the cell over the semi-axis, along x or y where it is larger; without contact,
+//! of the widest contact of the history. The term of the increments comes from the coarse grid.
 
+use super::extrapolation::{ADDED, is_extrapolated};
 use super::step::HalfSpaceStep;
 use brinell_contact::ContactLoad;
 use brinell_method::bounds::{BY_ELEMENTS, FIRST_ORDER, SECOND_ORDER};
@@ -15,12 +16,8 @@ use brinell_method::figures::{Figure, Figures, Values};
 use brinell_method::observer::SolveStatus;
 use brinell_method::sought::TargetFigure;
 
-const OF_GRID: f64 = 0.7;
-const OF_INCREMENTS: f64 = 0.5;
-/// Growth of the size that counts for the peak pressure with the distance of the peak from the
-/// middle over the semi-axis: the pressure of single cells is jagged near the edge. For a perfectly plastic ball
-/// at six yield stresses, 10 and 15 cells give 4.6 % and 3 % too much.
-const OF_RING: f64 = 2.0;
+/// Part of the differences to half the cells and to half the increments.
+const OF_DIFFERENCES: f64 = 0.5;
 
 /// Returns the figure whose relative error is that of the target: of a mean pressure, its area.
 pub const fn figure_of(target: TargetFigure) -> Figure {
@@ -41,30 +38,28 @@ pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Valu
         return None;
     }
     let (found, coarse) = (step.figures.values(), step.coarse?.values());
+    let yields = found.largest(Figure::MaxPlasticStrain) > Some(0.0);
     let relative = relative_sizes(step);
     let is_tilted = step.field.tilt.abs() > 0.0;
-    let yields = found.largest(Figure::MaxPlasticStrain) > Some(0.0);
-    let differences = found.zip(&coarse, |fine, coarse| OF_GRID * (fine - coarse));
+    let differences = found.zip(&coarse, |fine, coarse| OF_DIFFERENCES * (fine - coarse));
     let of_grid = differences.map(|figure, side, difference| {
         let bound = match figure {
-            Figure::MaxPlasticStrain => BY_ELEMENTS,
-            // The peak of a tilted roller lies off the middle of its cell, at its end if it yields.
-            Figure::PeakPressure if is_tilted => {
-                if yields {
-                    BY_ELEMENTS
-                } else {
-                    FIRST_ORDER
-                }
-            }
-            Figure::HalfWidth | Figure::SemiAxisY | Figure::ContactArea | Figure::PileUp => {
+            Figure::MaxPlasticStrain | Figure::PileUp => BY_ELEMENTS,
+            // The contact of a tilted roller ends on one row.
+            Figure::SemiAxisY if is_tilted => BY_ELEMENTS,
+            Figure::PeakPressure if is_tilted && yields => FIRST_ORDER,
+            Figure::HalfWidth | Figure::SemiAxisY | Figure::ContactArea | Figure::LeastStress => {
                 FIRST_ORDER
             }
             _ => SECOND_ORDER,
         };
         let [size, value] = [&relative, &found].map(|of| of.get(figure, side).unwrap_or_default());
-        bound.of(difference, size, value)
+        let part = if is_extrapolated(step, figure) { ADDED } else { 1.0 };
+        bound.of(part * difference, size, value)
     });
     let shown = found.zip(&step.path.shown, |figure, shown| figure.abs() * shown);
+    let shown =
+        shown.map(|figure, _, shown| if is_extrapolated(step, figure) { 0.0 } else { shown });
     let mut errors = of_grid.with(&shown, f64::max);
     clear_prescribed(step.load, &mut errors);
     if let Some(changes) = &step.increment_error {
@@ -130,28 +125,43 @@ fn of_increments(found: &Values, changes: &Values) -> Values {
             Figure::ContactArea => 2.0 * change(Figure::HalfWidth),
             _ => change(Figure::PeakPressure),
         };
-        OF_INCREMENTS * relative * value.abs()
+        OF_DIFFERENCES * relative * value.abs()
     })
 }
 
-/// Returns the cell over the semi-axis that counts for each figure.
+/// Returns the size of cells that counts for each figure: over the semi-axis, of the peak pressure over
+/// the distance to the end of the contact, beside which the pressure is that of single cells.
 fn relative_sizes(step: &HalfSpaceStep) -> Values {
     let [along_x, along_y] = sizes(step);
-    let size = along_x.max(along_y);
-    let [a, b] = step.figures.semi_axes();
-    let [x, y] = step.field.peak_position;
-    let from_middle = if a.min(b) > 0.0 { (x / a).hypot(y / b).min(1.0) } else { 0.0 };
+    let at_peak = cells_beside_peak(step).max(1) as f64;
     step.figures.values().map(|figure, _, _| match figure {
         Figure::HalfWidth => along_x,
         Figure::SemiAxisY => along_y,
-        Figure::ContactArea => along_x + along_y,
-        Figure::PeakPressure => size * (1.0 + OF_RING * from_middle),
-        _ => size,
+        Figure::PeakPressure => at_peak.recip(),
+        _ => along_x.max(along_y),
     })
 }
 
-/// Returns the cell over the semi-axis, along x and y.
+/// Returns the number of cells from the peak to the nearest end of the contact along x or y.
+fn cells_beside_peak(step: &HalfSpaceStep) -> usize {
+    let (map, [x, y]) = (&step.field.surface, step.field.peak_position);
+    let (nx, ny) = (map.grid.nx(), map.grid.ny());
+    let i = (0..nx).find(|i| map.grid.x(*i) >= x).unwrap_or_default();
+    let j = (0..ny).find(|j| map.grid.y(*j) >= y).unwrap_or_default();
+    let touches = |i: usize, j: usize| map.pressure[i * ny + j] > 0.0;
+    let left = (0..=i).rev().take_while(|i| touches(*i, j)).count();
+    let right = (i..nx).take_while(|i| touches(*i, j)).count();
+    let below = (0..=j).rev().take_while(|j| touches(i, *j)).count();
+    let above = (j..ny).take_while(|j| touches(i, *j)).count();
+    left.min(right).min(below).min(above)
+}
+
+/// Returns the cell over the semi-axis, along x and y. Grids have as many cells over both, so that the
+/// half-width of the widest contact stands for one that is gone.
 fn sizes(step: &HalfSpaceStep) -> [f64; 2] {
     let (grid, [a, b]) = (&step.field.surface.grid, step.figures.semi_axes());
+    if a <= 0.0 {
+        return [grid.hx() / step.path.reached[1].max(grid.hx()); 2];
+    }
     [(grid.hx(), a), (grid.hy(), b)].map(|(cell, axis)| cell / axis.max(cell))
 }

@@ -2,6 +2,7 @@
 
 use super::engine::HalfSpaceEngine;
 use super::error::HalfSpaceError;
+use super::extrapolation::{Extrapolated, extrapolated};
 use super::history::{coarse, contact_growth};
 use super::problem::HalfSpaceProblem;
 use super::sizing::{interrupted, size, under};
@@ -58,7 +59,8 @@ fn history(
     receiver: &mut dyn StepReceiver<HalfSpaceField>,
 ) -> Result<Option<Interrupt>, HalfSpaceError> {
     let coarse = coarse(problem, stretch.loads, run)?;
-    history::run(coarse, stretch, problem.solver.increments, run, receiver)
+    let mut receiver = Extrapolated(receiver);
+    history::run(coarse, stretch, problem.solver.increments, run, &mut receiver)
 }
 
 /// Solves one load by deformation theory and estimates the errors of its figures.
@@ -79,5 +81,5 @@ fn step(
     if coarse.status == SolveStatus::Converged {
         fine.coarse = Some(coarse.figures);
     }
-    Ok(fine)
+    Ok(extrapolated(fine))
 }

@@ -8,7 +8,7 @@ use crate::{Stop, Stopped, SurfaceGrid, TensorField, YieldingBody};
 use brinell_contact::Flexibility as _;
 
 use super::step::{HalfSpaceBody, LargestStrain, PlasticSection, SurfaceMap};
-use super::system::{ElasticBody, HalfSpaces};
+use super::system::{ElasticBody, HalfSpaces, above};
 use brinell_method::couplings::iteration::Outcome;
 use brinell_method::figures::{BodyFigures, Figures};
 use brinell_method::steps::Energy;
@@ -260,7 +260,12 @@ pub(super) fn semi_axes(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     let widest = |rows: &[Row]| rows.iter().map(|row| row.half_width).fold(0.0, f64::max);
     let clear = widest(&rows[Row::clear_of_ends(grid, &rows, half_length)]);
     let width = if clear > 0.0 { clear } else { widest(&rows) };
-    [width, half_width(&largest, grid.hy()).min(half_length)]
+    // The line through two rows knows nothing of the end of a roller.
+    let ends = ends(&largest, grid.hy()).map(|[low, high]| {
+        let y = |from_first: f64| (grid.y(0) + from_first).clamp(-half_length, half_length);
+        0.5 * (y(high) - y(low))
+    });
+    [width, ends.unwrap_or(0.0)]
 }
 
 /// Returns the largest distances from the origin to cells in contact, along x and along y.
@@ -285,19 +290,35 @@ fn half_extents(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
     [half(&|cell| cell / grid.ny(), grid.hx()), half(&|cell| cell % grid.ny(), grid.hy())]
 }
 
-/// Returns the pressure in the middle of the contact: the mean of the cells beside it, of a roller the
-/// largest in the rows beside it; `None` of heights.
+/// Weights of four cells for the value between the inner two, by a cubic, and for their mean.
+const CUBIC: [f64; 4] = [-0.0625, 0.5625, 0.5625, -0.0625];
+const MEAN: [f64; 4] = [0.0, 0.5, 0.5, 0.0];
+
+/// Returns the pressure in the middle of the contact, which lies between cells, by the squares of
+/// elastic bodies and as the mean of bodies that yield; of a roller the largest across its middle;
+/// `None` of heights.
 fn middle_pressure(system: &HalfSpaces, pressure: &[f64]) -> Option<f64> {
     let (grid, design) = (system.grid(), &system.design);
     if design.is_patch() {
         return None;
     }
-    let middle = |n: usize| [(n - 1) / 2, n / 2];
-    let cells = |i: usize| middle(grid.ny()).map(|j| pressure[i * grid.ny() + j]);
-    if design.half_length.is_some() {
-        return Some((0..grid.nx()).flat_map(cells).fold(0.0, f64::max));
-    }
-    Some(middle(grid.nx()).into_iter().flat_map(cells).sum::<f64>() / 4.0)
+    let (weights, power) = if system.is_elastic() { (CUBIC, 2) } else { (MEAN, 1) };
+    let [first, low] = [grid.nx(), grid.ny()].map(|count| count / 2 - 2);
+    let beside = |i: usize| {
+        let cells = pressure[i * grid.ny() + low..].iter().zip(weights);
+        cells.map(|(pressure, weight)| weight * pressure.powi(power)).sum::<f64>()
+    };
+    let middle = if design.half_length.is_some() {
+        let across: Vec<f64> = (0..grid.nx()).map(beside).collect();
+        let top = |three: &[f64]| match power {
+            2 => three[1] + above(three[0], three[1], three[2]),
+            _ => three[1],
+        };
+        across.windows(3).map(top).fold(0.0, f64::max)
+    } else {
+        weights.iter().enumerate().map(|(k, weight)| weight * beside(first + k)).sum()
+    };
+    Some(middle.max(0.0).powf(f64::from(power).recip()))
 }
 
 /// Returns the contact area: of the ellipse with these semi-axes, of the rows of a roller, or of
@@ -369,15 +390,17 @@ fn ellipse(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
     [(product * ratio).sqrt(), (product / ratio).sqrt()]
 }
 
-/// Returns half the width of a row in contact, at whose ends the squared pressure falls to zero on
-/// the straight line through the outermost two cells.
+/// Returns half the width of a row in contact.
 fn half_width(row: &[f64], side: f64) -> f64 {
+    ends(row, side).map_or(0.0, |[low, high]| 0.5 * (high - low))
+}
+
+/// Returns the ends of a row in contact, from the middle of its first cell on: there the squared
+/// pressure falls to zero on the straight line through the outermost two cells.
+fn ends(row: &[f64], side: f64) -> Option<[f64; 2]> {
     let in_contact = |k: &usize| row[*k] > 0.0;
-    let (Some(first), Some(last)) =
-        ((0..row.len()).find(in_contact), (0..row.len()).rev().find(in_contact))
-    else {
-        return 0.0;
-    };
+    let first = (0..row.len()).find(in_contact)?;
+    let last = (0..row.len()).rev().find(in_contact)?;
     // Distance from the middle of the outermost cell, in cells; half a cell if the line does not
     // fall.
     let beyond = |inner: Option<&f64>, outer: f64| match inner {
@@ -386,7 +409,7 @@ fn half_width(row: &[f64], side: f64) -> f64 {
         }
         _ => 0.5,
     };
-    let ends = beyond(row.get(first + 1), row[first])
-        + beyond(last.checked_sub(1).map(|k| &row[k]), row[last]);
-    0.5 * side * ((last - first) as f64 + ends)
+    let before = beyond(row.get(first + 1), row[first]);
+    let after = beyond(last.checked_sub(1).map(|k| &row[k]), row[last]);
+    Some([first as f64 - before, last as f64 + after].map(|cells| side * cells))
 }

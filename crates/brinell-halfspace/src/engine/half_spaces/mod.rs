@@ -14,6 +14,7 @@ mod engine;
 mod error;
 mod errors;
 mod estimate;
+mod extrapolation;
 mod fatigue;
 mod gap;
 mod given;

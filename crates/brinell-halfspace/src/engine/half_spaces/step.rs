@@ -11,7 +11,7 @@ use brinell_method::steps::Step;
 /// The semi-axes among its figures are extrapolated from the squared pressure of the outermost
 /// cells on the axes, the contact area is that of their ellipse, the peak pressure is that after a
 /// 3 × 3 binomial mean: unsmoothed, the pressure is jagged near the edge of a contact that yields.
-/// Dent and pile-up are those by plastic strain alone. The least stress is that of σxx and σyy in
+/// Dent and pile-up are those by plastic strain alone, extrapolated. The least stress is that of σxx and σyy in
 /// the column below the peak pressure, without the surface layer. The elastic energy leaves out
 /// the initial stress. The residual is that of the plastic law, `‖2μ(Δε(σ) - Δε)‖` over the
 /// contact force, with the plastic strain increment Δε of the answer and the increment Δε(σ) of
@@ -66,7 +66,7 @@ pub struct HalfSpaceBody {
     pub plastic_strain: Option<TensorField>,
     /// Equivalent plastic strain, `[layer * n_cells + cell]`; empty if the body cannot yield.
     pub equivalent_plastic_strain: Vec<f64>,
-    /// Displacement of the surface by plastic strain, positive into the body \[mm\].
+    /// Displacement of the surface by plastic strain, extrapolated, positive into the body \[mm\].
     pub plastic_displacement: Vec<f64>,
     /// The largest equivalent plastic strain; `None` if no cell has yielded.
     pub largest_strain: Option<LargestStrain>,

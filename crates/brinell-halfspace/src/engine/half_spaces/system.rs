@@ -139,22 +139,37 @@ impl HalfSpaces {
         if approach.abs() <= f64::EPSILON * least.abs() { 0.0 } else { approach }
     }
 
-    /// Returns the peak pressure \[MPa\] and its cell. A mean over cells beyond the end of a roller
-    /// would be no pressure of the roller.
+    /// Returns the peak pressure \[MPa\] and its cell. Where nothing has yielded it is the top of the
+    /// parabolas through the squared pressures of this cell and its neighbours, which under ellipses
+    /// is exact. A mean over cells beyond the end of a roller would be no pressure of the roller.
     pub fn peak(&self, force: &[f64]) -> (f64, usize) {
         let (grid, area) = (self.grid(), self.grid().cell_area());
         let is_at_end = |cell: usize| {
             let beyond = grid.y(cell % grid.ny()).abs() + grid.hy();
             self.design.half_length.is_some_and(|half_length| beyond > half_length)
         };
+        let is_elastic = self.is_elastic();
         let along = if self.design.half_length.is_some() { [0.0, 1.0, 0.0] } else { BINOMIAL };
         let pressure = |cell: usize| {
-            let is_mean = self.is_smoothed && !is_at_end(cell);
+            let is_mean = self.is_smoothed && !is_elastic && !is_at_end(cell);
             if is_mean { smoothed(grid, force, cell, along) / area } else { force[cell] / area }
         };
-        (0..force.len())
+        let (most, cell) = (0..force.len())
             .map(|cell| (pressure(cell), cell))
-            .fold((0.0, force.len() / 2), |most, next| if next.0 > most.0 { next } else { most })
+            .fold((0.0, force.len() / 2), |most, next| if next.0 > most.0 { next } else { most });
+        if !is_elastic || is_at_rim(grid, cell) {
+            return (most, cell);
+        }
+        let between = |step: usize| {
+            above(pressure(cell - step).powi(2), most * most, pressure(cell + step).powi(2))
+        };
+        ((most * most + between(1) + between(grid.ny())).sqrt(), cell)
+    }
+
+    /// Whether smooth bodies have not yielded.
+    pub fn is_elastic(&self) -> bool {
+        !self.design.is_patch()
+            && self.yielding.borrow().bodies.iter().all(|body| yielded_cells(body) == 0)
     }
 
     /// Returns whether a body flows in an increment of the initial stress `2G Δε_p`.
@@ -197,14 +212,27 @@ const BINOMIAL: [f64; 3] = [0.25, 0.5, 0.25];
 /// Returns the mean of a field over 3 × 3 cells, binomial along x and with weights along y; at the
 /// rim, the value of the cell itself.
 fn smoothed(grid: &SurfaceGrid, field: &[f64], cell: usize, along: [f64; 3]) -> f64 {
-    let (i, j) = (cell / grid.ny(), cell % grid.ny());
-    if i == 0 || j == 0 || i + 1 == grid.nx() || j + 1 == grid.ny() {
+    if is_at_rim(grid, cell) {
         return field[cell];
     }
+    let (i, j) = (cell / grid.ny(), cell % grid.ny());
     let part = |n: usize| {
         BINOMIAL[n / 3] * along[n % 3] * field[(i + n / 3 - 1) * grid.ny() + j + n % 3 - 1]
     };
     (0..9).map(part).sum()
+}
+
+fn is_at_rim(grid: &SurfaceGrid, cell: usize) -> bool {
+    let (i, j) = (cell / grid.ny(), cell % grid.ny());
+    i == 0 || j == 0 || i + 1 == grid.nx() || j + 1 == grid.ny()
+}
+
+/// Returns how far the top of the parabola through the largest of three values and its neighbours
+/// lies above it; 0 beside the end of a contact.
+pub(super) fn above(before: f64, most: f64, after: f64) -> f64 {
+    let falls = 2.0 * most - before - after;
+    let is_top = before.min(after) > 0.0 && before.max(after) <= most && falls > 0.0;
+    if is_top { (after - before).powi(2) / (8.0 * falls) } else { 0.0 }
 }
 
 impl ContactSystem for HalfSpaces {
