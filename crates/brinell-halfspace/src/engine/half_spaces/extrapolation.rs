@@ -53,15 +53,13 @@ pub(super) fn extrapolated(mut step: HalfSpaceStep) -> HalfSpaceStep {
     if is_shared {
         bodies[0] = None;
     }
-    for side in 0..2 {
-        let (Some(figures), Some(coarse)) = (&mut step.figures.bodies[side], coarse.bodies[side])
-        else {
-            continue;
-        };
+    let sides = step.figures.bodies.iter_mut().zip(coarse.bodies).zip(bodies.iter_mut());
+    for ((figures, coarse), body) in sides {
+        let (Some(figures), Some(coarse)) = (figures, coarse) else { continue };
         let factor = factor(figures.dent, coarse.dent);
         figures.dent *= factor;
         figures.pile_up *= factor;
-        if let Some(body) = &mut bodies[side] {
+        if let Some(body) = body {
             Arc::make_mut(body).plastic_displacement.iter_mut().for_each(|u| *u *= factor);
         }
     }
