@@ -194,7 +194,8 @@ pub fn run<E: Memory>(
     let (engine, design) = engine.finer(&coarse.memory);
     let history =
         History { engine: &engine, stretch, division, times, guide: Some(&coarse.memory) };
-    let estimates = Estimates { coarse: &coarse.figures, increments: &errors };
+    let estimates =
+        Estimates { coarse: &coarse.figures, increments: &errors, steps: &preliminary };
     let mut steps = HistorySteps::new(estimates, &mut *receiver);
     let interrupt = match history.solve(design, None, &mut steps, run) {
         Ok(found) => found.interrupted,
@@ -516,10 +517,7 @@ impl<E: Memory> History<'_, E> {
         let shown = state.rising.strays(&current.leg);
         let outcome = E::outcome_mut(answer);
         (outcome.history, outcome.status) = (std::mem::take(&mut current.history), state.status);
-        // A preliminary step keeps its last increment alone: a coarse history may have a thousand
-        // loads of thousands of increments.
-        let kept = if steps.are_final() { 0 } else { current.increments.len() - 1 };
-        let increments = current.increments.split_off(kept);
+        let increments = std::mem::take(&mut current.increments);
         let reached = [state.progress.reached[1], state.widest];
         let mut step = if steps.are_final() {
             self.engine.step(answer, target, &mut found.memory, &state.progress, run)

@@ -11,10 +11,11 @@ use super::steps::{Step, StepReceiver};
 use super::strays::Shown;
 use crate::Error;
 
-/// Figures of the coarse system, from which the errors of each step are estimated.
-pub(super) struct Estimates<'a> {
+/// What the coarse system has found, from which the errors of each step are estimated.
+pub(super) struct Estimates<'a, F> {
     pub coarse: &'a [Option<Figures>],
     pub increments: &'a [Option<Values>],
+    pub steps: &'a [Step<F>],
 }
 
 /// Takes the end of each load of a history on one system.
@@ -24,7 +25,7 @@ pub(super) enum HistorySteps<'a, F> {
     Preliminary(&'a mut Vec<Step<F>>),
     /// Steps of the requested density.
     Final {
-        estimates: Estimates<'a>,
+        estimates: Estimates<'a, F>,
         receiver: &'a mut dyn StepReceiver<F>,
         /// Errors that the loads so far have shown.
         shown: Box<Shown>,
@@ -35,7 +36,7 @@ pub(super) enum HistorySteps<'a, F> {
 
 impl<'a, F> HistorySteps<'a, F> {
     /// Makes the receiver for steps of the requested density.
-    pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver<F>) -> Self {
+    pub fn new(estimates: Estimates<'a, F>, receiver: &'a mut dyn StepReceiver<F>) -> Self {
         Self::Final { estimates, receiver, shown: Box::default(), done: 0 }
     }
 
@@ -65,6 +66,9 @@ impl<'a, F> HistorySteps<'a, F> {
             Self::Final { estimates, receiver, shown, done } => {
                 step.coarse = estimates.coarse.get(number).copied().flatten();
                 step.increment_error = estimates.increments.get(number).copied().flatten();
+                if let Some(coarse) = estimates.steps.get(number) {
+                    step.path.coarse_increments.clone_from(&coarse.path.increments);
+                }
                 step.path.shown = shown.by(&step);
                 receiver.step(step, observer);
                 *done += 1;

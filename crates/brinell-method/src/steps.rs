@@ -119,7 +119,9 @@ pub struct Checks {
 pub struct Path {
     /// The increments of this load.
     pub increments: Vec<IncrementRecord>,
-    /// The last of them.
+    /// Those of the coarse system.
+    pub coarse_increments: Vec<IncrementRecord>,
+    /// The last of the increments.
     pub last_increment: LastIncrement,
     /// Largest approach and half-width of the history so far \[mm\].
     pub reached: [f64; 2],

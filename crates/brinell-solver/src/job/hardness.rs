@@ -39,7 +39,7 @@ pub(super) const LEAST_INCREMENTS: u32 = 8;
 /// Why a hold is refused.
 const NO_HOLD: &str = "no law here knows of time, so that nothing creeps in a hold: leave it out";
 
-/// Elements over the radius of the contact, which leave some 5 % of error in a number.
+/// Elements over the radius of the contact, which leave some 1 % of error in a number.
 const ELEMENTS: u32 = 24;
 
 /// A scale of hardness.

@@ -213,7 +213,7 @@ impl Shown for Meshed<'_> {
                 ..measured(job, problem, step, reference.as_ref(), findings)
             },
             target: target::of_section(job, step, findings),
-            indentation: hardness::indentation(job, step, findings),
+            indentation: hardness::indentation(job, step),
             leaves_unknown: step.status == SolveStatus::Converged,
         }
     }

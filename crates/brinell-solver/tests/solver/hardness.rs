@@ -62,11 +62,11 @@ fn hollomon(coefficient: f64, exponent: f64) -> Value {
     json!({"law": "table", "points": points})
 }
 
-/// Curve and Brinell hardness of one metal, within 6 %, of which the mesh has 2 to 4: A514 and
-/// 7075-T6 (500 kgf) of N. E. Dowling, *Mechanical Behavior of Materials*, table 4.6; SAE 1045,
-/// normalized, of J. J. F. Bonnen's thesis (Waterloo, 1998), with its lower yield stress; SAE 1141 and
-/// 4340 by yield and ultimate strength in R. Ghajar et al., Fatigue Fract. Eng. Mater. Struct. 34
-/// (2011) 534, table A1. docs/notes/hardness.md has more of them, and those that are not met.
+/// Curve and Brinell hardness of one metal: A514 and 7075-T6 (500 kgf) of N. E. Dowling, *Mechanical
+/// Behavior of Materials*, table 4.6; SAE 1045, normalized, of J. J. F. Bonnen's thesis (Waterloo,
+/// 1998), with its lower yield stress. SAE 1141 and 4340 have curves by yield and ultimate strength
+/// alone, whose numbers scatter by 6 % about those of the table: R. Ghajar et al., Fatigue Fract. Eng.
+/// Mater. Struct. 34 (2011) 534, table A1. docs/notes/hardness.md has all of them.
 #[test]
 #[ignore = "full"]
 fn numbers_of_published_curves() {
@@ -77,18 +77,18 @@ fn numbers_of_published_curves() {
         points.insert(0, json!([0.0, yield_stress]));
         law
     };
-    for (load, law, modulus, published) in [
-        ("HBW 10/3000", hollomon(1103.0, 0.088), 208_000.0, 256.0),
-        ("HBW 10/500", hollomon(827.0, 0.113), 71_000.0, 150.0),
-        ("HBW 10/3000", plateau(1370.0, 0.261, 397.0), 203_000.0, 203.0),
-        ("HBW 10/3000", hollomon(1204.0, 0.156), 216_000.0, 223.0),
-        ("HBW 10/3000", hollomon(1431.0, 0.032), 193_000.0, 350.0),
+    for (load, law, modulus, published, scatter) in [
+        ("HBW 10/3000", hollomon(1103.0, 0.088), 208_000.0, 256.0, 0.0),
+        ("HBW 10/500", hollomon(827.0, 0.113), 71_000.0, 150.0, 0.0),
+        ("HBW 10/3000", plateau(1370.0, 0.261, 397.0), 203_000.0, 203.0, 0.0),
+        ("HBW 10/3000", hollomon(1204.0, 0.156), 216_000.0, 223.0, 0.06),
+        ("HBW 10/3000", hollomon(1431.0, 0.032), 193_000.0, 350.0, 0.06),
     ] {
         let report = report(&test(&json!(load), &law, modulus, 40.0, 24));
         let found = found(&report);
         let (number, bar) = (found.of(Name::Hardness), found.bar(Name::Hardness).unwrap());
         let off = (published / number - 1.0).abs();
-        assert!(off < 0.06 && bar < 0.04, "{number} ± {bar} for {published}");
+        assert!(off < bar + scatter && bar < 0.015, "{number} ± {bar} for {published}");
     }
 }
 
@@ -100,15 +100,15 @@ fn a_brinell_number_of_steel() {
     let found = found(&report);
     assert_eq!(found.row(Name::Hardness).unwrap().label, "HBW 10/3000");
     let (number, bar) = (found.of(Name::Hardness), found.bar(Name::Hardness).unwrap());
-    assert!((number / 256.0 - 1.0).abs() < bar && bar < 0.12, "{number} ± {bar}");
+    assert!((number / 256.0 - 1.0).abs() < bar && bar < 0.03, "{number} ± {bar}");
     // The number is that of the diameter, by the formula of ISO 6506-1.
     let by_diameter = {
         let (ball, d, force) = (10.0, found.of(Name::Diameter), 3000.0 * 9.80665);
         0.204 * force / (std::f64::consts::PI * ball * (ball - f64::sqrt(ball * ball - d * d)))
     };
     assert!((number / by_diameter - 1.0).abs() < 1e-9);
-    // Tabor's rule, which friction and the curve change by some 5 %.
-    assert!(found.of(Name::LargeStrainBias).abs() < 0.06);
+    // Without friction and with small strains metals are 4 to 8 % above Tabor's rule.
+    assert!((0.04..0.08).contains(&found.of(Name::LargeStrainBias)));
     // Meyer's exponent is 2 + n of a power law that is fully plastic.
     assert!((found.of(Name::MeyerExponent) - 2.088).abs() < 0.2);
     let (permanent, depth) = (found.of(Name::PermanentDepth), found.of(Name::IndentationDepth));
@@ -164,27 +164,28 @@ fn a_curve_as_a_table() {
     assert_eq!(Export::HardnessCsv.write(&job, &report, None), Err(ExportError::NoHardness));
 }
 
-/// Cones and Rockwell's depths of one steel agree with its Brinell number as ISO 18265 has it, 240
-/// HBW with 253 HV (HBW is 0.95 HV there), and with Dao's loading curvature.
+/// The cone of Vickers and Rockwell's depths beside those of fine meshes, of 24 and 48 elements, and
+/// Dao's loading curvature. 256 HBW are 269 HV by ISO 18265 (0.95), and 48 HRC some 460 HBW.
 #[test]
 fn pyramids_and_rockwell() {
     let steel = hollomon(1103.0, 0.088);
     let vickers = report(&test(&json!("HV 1"), &steel, 208_000.0, 2.0, 12));
     let vickers = found(&vickers);
-    let (number, bar) = (vickers.of(Name::Hardness), vickers.bar(Name::Hardness).unwrap());
-    assert!((number / 253.0 - 1.0).abs() < bar && bar < 0.15, "{number} ± {bar}");
+    let names = [Name::Hardness, Name::MeyerHardness];
+    let [bar, of_cone] = names.map(|name| vickers.bar(name).unwrap());
+    let number = vickers.of(Name::Hardness);
+    assert!((number / 252.0 - 1.0).abs() < of_cone && of_cone < 0.04, "{number} ± {of_cone}");
+    assert!((bar - of_cone - 0.04).abs() < 1e-9, "the edges of the pyramid: {bar}");
     assert!(vickers.of(Name::CurvatureBias).abs() < 0.06);
     assert_eq!(vickers.codes(), ["bias_unknown", "equal_cone"]);
 
-    // 1471 N on a steel of some 1800 MPa: 45 to 52 HRC for 430 to 530 HBW.
+    // 1471 N on a steel of some 1800 MPa.
     let rockwell = report(&test(&json!("HRC"), &hollomon(2200.0, 0.08), 208_000.0, 6.0, 14));
     let rockwell = found(&rockwell);
     let row = rockwell.row(Name::Hardness).unwrap();
     let number = row.value.unwrap();
     let bar = row.at_most.unwrap() - number;
-    assert!((45.0..52.0).contains(&number) && bar < 11.0, "{number} ± {bar}");
-    // 47.5 is the middle of meshes with 8 to 24 elements.
-    assert!((number - 47.5).abs() < bar);
+    assert!((number - 48.0).abs() < bar && bar < 2.5, "{number} ± {bar}");
     assert_eq!((row.error.bound(), rockwell.value(Name::LargeStrainBias)), (None, None));
     assert!(rockwell.codes().contains(&"bias_unknown"));
 }
@@ -201,7 +202,7 @@ fn fused_silica() {
     // Berkovich's hardness is the mean pressure.
     let (pressure, bar) = (found.of(Name::MeyerHardness), found.bar(Name::MeyerHardness).unwrap());
     assert!(found.row(Name::Hardness).is_none(), "said once");
-    assert!((pressure / 9350.0 - 1.0).abs() < bar, "{pressure}");
+    assert!((pressure / 9350.0 - 1.0).abs() < bar + 0.02, "{pressure} ± {bar}");
     let ratio = found.of(Name::OliverPharrModulus) / found.of(Name::ReducedModulus);
     assert!((ratio - 1.0).abs() < 0.15, "{ratio}");
 }

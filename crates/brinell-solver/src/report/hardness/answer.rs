@@ -1,6 +1,7 @@
 //! The rows of a hardness test, and its number in the verdict of its steps.
 
 use super::found::{Found, OliverPharr};
+use super::seen::Seen;
 use super::{BALL_STRAIN, DAO_STRAIN, HardnessSeen, PYRAMID_STRAIN, dao_curvature};
 use crate::job::{Job, TestScale};
 use crate::report::answers::{Answer, AnswerAt, Bar, Name};
@@ -106,12 +107,14 @@ impl Shown<'_> {
         if found.without_answer().is_some() {
             return rows;
         }
+        let (depth, depth_error) = found.depth();
         rows.extend([
             self.meshed(Name::Diameter, found.diameter(), of_radius),
-            self.meshed(Name::IndentationDepth, load.dent, found.depth_error()),
+            self.meshed(Name::IndentationDepth, depth, depth_error),
         ]);
         let unloaded = found.unloaded();
-        rows.extend(unloaded.map(|seen| self.row(Name::PermanentDepth, seen.dent)));
+        let recovery = |seen: &Seen| load.dent - seen.dent;
+        rows.extend(unloaded.map(|seen| self.row(Name::PermanentDepth, depth - recovery(seen))));
         let rim = unloaded.filter(|seen| seen.highest[1] > 0.0);
         rows.extend(rim.map(|seen| self.row(Name::RimDiameter, 2.0 * seen.highest[0].abs())));
         rows.push(self.row(Name::EdgeHeight, found.edge_height()));
@@ -125,10 +128,10 @@ impl Shown<'_> {
             ));
             rows.push(self.meshed(Name::ConstraintFactor, pressure / stress, of_area));
         }
-        rows.extend(found.fit.map(|fit| self.row(Name::MeyerExponent, fit.exponent)));
+        rows.extend(found.exponent.map(|exponent| self.row(Name::MeyerExponent, exponent)));
         rows.extend(bias.map(|(bias, source)| self.row(Name::LargeStrainBias, bias).text(source)));
         rows.extend(curvature.map(|curvature| {
-            let bias = load.force / load.approach.powi(2) / curvature - 1.0;
+            let bias = load.force / found.approach().0.powi(2) / curvature - 1.0;
             self.row(Name::CurvatureBias, bias)
         }));
         rows.extend(found.least_thickness().map(|least| self.row(Name::LeastThickness, least)));
@@ -157,7 +160,7 @@ impl Shown<'_> {
         let relative = found.relative_error();
         let points = found.number_error().filter(|_| relative.is_none());
         let bar = match (relative, points) {
-            (Some(error), _) => Bar::Relative(error),
+            (Some(error), _) => Bar::Relative(error + found.error_of_edges()),
             (None, Some(_)) => Bar::none("its zero is a convention"),
             (None, None) => Bar::none(NO_BAR),
         };

@@ -1,18 +1,24 @@
 //! What the loads of a hardness test tell.
 
-use super::seen::{Seen, is_pyramid};
+use super::seen::{Increment, Seen, is_pyramid};
 use crate::job::{Block, HardnessTest, Job, Shape, TestScale};
 
-/// Part of the force from which on Meyer's law is fitted.
-const FITTED_FROM: f64 = 0.25;
-/// Error of the radius in elements.
-const ELEMENTS_OFF: f64 = 0.3;
-/// Standard errors in a bar.
-const STANDARD_ERRORS: f64 = 2.0;
+/// Part of the force from which on a parabola is fitted.
+const FITTED_FROM: f64 = 0.15;
+/// Parts of the change by the mesh that are added: errors of the radius are of first order, those of
+/// the depth of second.
+const OF_RADIUS: f64 = 1.0;
+const OF_DEPTH: f64 = 1.0 / 3.0;
+/// Part of the change that is left as an error, and standard errors in a bar.
+const LEFT: f64 = 0.25;
+const STANDARD_ERRORS: f64 = 1.5;
 /// Conversion of N/mm² to kgf/mm² in the standards.
 const KGF: f64 = 0.102;
 /// Area of the faces of Vickers' pyramid over their projection.
 const VICKERS_FACES: f64 = 1.0785;
+/// Vickers' number by the diagonals over that of the cone, less 1, at most
+/// (docs/notes/hardness.md).
+const EDGES: f64 = 0.04;
 /// Depth of a Rockwell unit \[mm\].
 const ROCKWELL_UNIT: f64 = 0.002;
 /// `E* a / (σ R)` from which on a ball is fully plastic: D. Tabor; K. L. Johnson, *Contact
@@ -30,38 +36,64 @@ const EDGE: f64 = 2.5;
 /// Part of the contact's radius from which on the tip of a pyramid makes it a ball.
 const BLUNT: f64 = 0.3;
 
-/// Meyer's law near the largest force.
+/// A figure under a force by the parabola over the root of the force through the increments of the
+/// load. Radius and depth of a cone are in proportion to that root.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct MeyerFit {
-    /// Radius under the largest force \[mm\].
-    radius: f64,
-    pub exponent: f64,
-    /// Relative standard error of the radius.
+struct Smooth {
+    value: f64,
+    /// Exponent m of `F = k x^m` under the force.
+    exponent: f64,
+    /// Relative standard error of the value.
     error: f64,
 }
 
-impl MeyerFit {
-    fn of(increments: &[[f64; 2]], force: f64) -> Option<Self> {
+impl Smooth {
+    /// `figure` is the place of the figure in an increment.
+    fn of(increments: &[Increment], force: f64, figure: usize) -> Option<Self> {
         let points: Vec<[f64; 2]> = increments
             .iter()
-            .filter(|[at, half_width]| *at >= FITTED_FROM * force && *half_width > 0.0)
-            .map(|[at, half_width]| [(at / force).ln(), half_width.ln()])
+            .filter(|increment| increment[0] >= FITTED_FROM * force)
+            .map(|increment| [(increment[0] / force).sqrt() - 1.0, increment[figure]])
             .collect();
         if points.len() < 6 {
             return None;
         }
-        let count = points.len() as f64;
-        let mean = [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / count);
-        let moment = |a: usize, b: usize| -> f64 {
-            points.iter().map(|point| (point[a] - mean[a]) * (point[b] - mean[b])).sum()
+        let at = |of: &[f64; 3], x: f64| (of[2] * x + of[1]) * x + of[0];
+        let dot = |a: &[f64; 3], b: &[f64; 3]| -> f64 {
+            points.iter().map(|[x, _]| at(a, *x) * at(b, *x)).sum()
         };
-        let spread = moment(0, 0);
-        let slope = moment(0, 1) / spread;
-        let at_force = mean[1] - slope * mean[0];
-        let off = points.iter().map(|[x, y]| (y - slope * x - at_force).powi(2)).sum::<f64>();
-        let scatter = (off / (count - 2.0)).sqrt();
-        let error = scatter * (1.0 / count + mean[0] * mean[0] / spread).sqrt();
-        (slope > 0.0).then(|| Self { radius: at_force.exp(), exponent: 1.0 / slope, error })
+        // Polynomials that are orthonormal on these points.
+        let mut basis: Vec<[f64; 3]> = Vec::new();
+        for degree in 0..3 {
+            let mut next = [0.0; 3];
+            next[degree] = 1.0;
+            for known in &basis {
+                let part = dot(&next, known);
+                next = std::array::from_fn(|k| next[k] - part * known[k]);
+            }
+            let size = dot(&next, &next).sqrt();
+            basis.push(next.map(|coefficient| coefficient / size));
+        }
+        let mut fit = [0.0; 3];
+        for known in &basis {
+            let part: f64 = points.iter().map(|[x, y]| y * at(known, *x)).sum();
+            fit = std::array::from_fn(|k| fit[k] + part * known[k]);
+        }
+        let off: f64 = points.iter().map(|[x, y]| (y - at(&fit, *x)).powi(2)).sum();
+        let variance = off / (points.len() as f64 - 3.0);
+        let [value, slope, _] = fit;
+        let error = (variance * basis.iter().map(|known| known[0] * known[0]).sum::<f64>()).sqrt();
+        let is_rising = value > 0.0 && slope > 0.0;
+        is_rising.then(|| Self { value, exponent: 2.0 * value / slope, error: error / value })
+    }
+
+    /// Returns the figure with this part of the change from the coarse mesh added, and the bound
+    /// of its relative error.
+    fn extrapolated(self, coarse: &Self, part: f64) -> [f64; 2] {
+        let change = self.value - coarse.value;
+        let value = self.value + part * change;
+        let scatter = ((1.0 + part) * self.error).hypot(part * coarse.error);
+        [value, LEFT * (change / value).abs() + STANDARD_ERRORS * scatter]
     }
 }
 
@@ -87,9 +119,14 @@ pub(super) struct Found<'a> {
     pub specimen: Block,
     loads: &'a [Seen],
     loaded: usize,
-    pub fit: Option<MeyerFit>,
+    /// Exponent of Meyer's law.
+    pub exponent: Option<f64>,
     /// Radius of the contact under the largest force \[mm\].
     pub radius: f64,
+    /// Bound of its relative error.
+    radius_error: Option<f64>,
+    /// Radius on the mesh, whose surface has its edge there \[mm\].
+    edge: f64,
 }
 
 impl<'a> Found<'a> {
@@ -100,10 +137,18 @@ impl<'a> Found<'a> {
         loaded: usize,
     ) -> Option<Self> {
         let load = &loads[loaded];
-        let fit = MeyerFit::of(&load.increments, load.force);
-        let radius = fit.map_or(load.half_width, |fit| fit.radius);
+        let by_mesh = load.increments.each_ref().map(|all| Smooth::of(all, load.force, 1));
+        let edge = by_mesh[0].map_or(load.half_width, |fine| fine.value);
+        let (radius, radius_error) = match by_mesh {
+            [Some(fine), Some(coarse)] => {
+                let [radius, error] = fine.extrapolated(&coarse, OF_RADIUS);
+                (radius, Some(error))
+            }
+            _ => (edge, None),
+        };
+        let exponent = by_mesh[0].map(|fine| fine.exponent);
         let Shape::Block(specimen) = job.lower.shape else { return None };
-        Some(Self { test, specimen, loads, loaded, fit, radius })
+        Some(Self { test, specimen, loads, loaded, exponent, radius, radius_error, edge })
     }
 
     pub fn load(&self) -> &Seen {
@@ -173,25 +218,43 @@ impl<'a> Found<'a> {
 
     /// Returns the depth that the total force adds, under the preliminary force \[mm\].
     fn rockwell_depth(&self) -> Option<f64> {
-        let before = self.loads.get(self.loaded.checked_sub(1)?)?;
-        Some(self.loads.get(self.loaded + 1)?.approach - before.approach)
+        let before = self.approach_under(self.loaded.checked_sub(1)?).0;
+        Some(self.approach_after(self.loads.get(self.loaded + 1)?) - before)
     }
 
-    fn radius_error(&self) -> f64 {
-        let standard = self.fit.map_or(0.0, |fit| STANDARD_ERRORS * fit.error);
-        standard + ELEMENTS_OFF * self.load().spacing / self.radius
+    /// Returns the approach under a load that rises, and the bound of its error \[mm\].
+    fn approach_under(&self, load: usize) -> (f64, Option<f64>) {
+        let load = &self.loads[load];
+        let by_mesh = load.increments.each_ref().map(|all| Smooth::of(all, load.force, 2));
+        let [Some(fine), Some(coarse)] = by_mesh else { return (load.approach, None) };
+        let [approach, error] = fine.extrapolated(&coarse, OF_DEPTH);
+        (approach, Some(error * approach))
+    }
+
+    /// Returns the approach under the largest force, and the bound of its error \[mm\].
+    pub fn approach(&self) -> (f64, Option<f64>) {
+        self.approach_under(self.loaded)
+    }
+
+    /// Returns the approach after the largest force \[mm\]: the recovery is smooth.
+    fn approach_after(&self, unloaded: &Seen) -> f64 {
+        self.approach().0 - (self.load().approach - unloaded.approach)
     }
 
     pub fn relative_error(&self) -> Option<f64> {
         if self.test.scale.is_rockwell() || !self.is_converged() {
             return None;
         }
-        self.fit?;
-        let error = self.radius_error();
+        let error = self.radius_error?;
         match (self.number_of(self.radius * (1.0 - error)), self.number()) {
             (Some(more), Some(number)) => Some(more / number - 1.0),
             _ => Some((1.0 - error).powi(-2) - 1.0),
         }
+    }
+
+    /// What the edges of a pyramid add to the relative error of its number.
+    pub fn error_of_edges(&self) -> f64 {
+        if self.test.scale == TestScale::Hv { EDGES } else { 0.0 }
     }
 
     /// Bound of the error of the number in points of its scale.
@@ -200,21 +263,15 @@ impl<'a> Found<'a> {
         if !self.test.scale.is_rockwell() {
             return Some(number * self.relative_error()?);
         }
-        let error = |k: usize| self.depth_off(self.loads.get(k)?);
-        let depth = error(self.loaded.checked_sub(1)?)? + error(self.loaded + 1)?;
-        Some(depth / ROCKWELL_UNIT)
+        let error = |load: usize| self.approach_under(load).1;
+        Some(error(self.loaded.checked_sub(1)?)?.hypot(error(self.loaded)?) / ROCKWELL_UNIT)
     }
 
-    /// Error of the depth under the largest force, relative to it.
-    pub fn depth_error(&self) -> Option<f64> {
-        Some(self.depth_off(self.load())? / self.load().dent)
-    }
-
-    /// Bound of the error of the depth of a load \[mm\]: that of its approach, and of an edge that
-    /// is off along the face of the indenter.
-    fn depth_off(&self, seen: &Seen) -> Option<f64> {
-        let slope = self.test.slope().unwrap_or_else(|| self.radius / self.test.radius());
-        Some((seen.approach_bar? * seen.approach).abs() + ELEMENTS_OFF * seen.spacing * slope)
+    /// Depth under the largest force \[mm\], and the bound of its relative error.
+    pub fn depth(&self) -> (f64, Option<f64>) {
+        let (approach, error) = self.approach();
+        let depth = self.load().dent + approach - self.load().approach;
+        (depth, error.map(|error| error / depth))
     }
 
     /// Part of the contact's radius that the tip of a pyramid takes.
@@ -226,10 +283,10 @@ impl<'a> Found<'a> {
     /// Height of the specimen's surface at the edge of the contact \[mm\].
     pub fn edge_height(&self) -> f64 {
         let surface = &self.load().surface;
-        let beyond = surface.iter().position(|[x, _]| *x >= self.radius);
+        let beyond = surface.iter().position(|[x, _]| *x >= self.edge);
         match beyond.and_then(|k| Some((surface.get(k.checked_sub(1)?)?, surface.get(k)?))) {
             Some(([left, low], [right, high])) => {
-                low + (high - low) * (self.radius - left) / (right - left)
+                low + (high - low) * (self.edge - left) / (right - left)
             }
             None => 0.0,
         }
@@ -253,7 +310,7 @@ impl<'a> Found<'a> {
             }
             TestScale::Hv | TestScale::Berkovich => {
                 flow_stress?;
-                let ratio = self.unloaded()?.approach / self.load().approach;
+                let ratio = self.approach_after(self.unloaded()?) / self.approach().0;
                 let source = "M. Dao et al., Acta Materialia 49 (2001) 3899: mean pressure of a \
                               cone of 70.3° by h_r/h_m";
                 (DAO_DEPTHS[0]..=DAO_DEPTHS[1]).contains(&ratio).then(|| {
@@ -267,7 +324,7 @@ impl<'a> Found<'a> {
     /// ISO 6506-1: eight depths; ISO 6507-1: one and a half diagonals; ISO 6508-1: ten depths of a
     /// cone, fifteen of a ball.
     pub fn least_thickness(&self) -> Option<f64> {
-        let depth = self.load().dent;
+        let (depth, _) = self.depth();
         match self.test.scale {
             TestScale::Hbw => Some(8.0 * depth),
             TestScale::Hv => Some(1.5 * (2.0 * std::f64::consts::PI).sqrt() * self.radius),
@@ -318,7 +375,8 @@ impl<'a> Found<'a> {
     }
 
     pub fn oliver_pharr(&self) -> Option<OliverPharr> {
-        let Seen { force, approach, stiffness, half_width, .. } = *self.load();
+        let Seen { force, stiffness, half_width, .. } = *self.load();
+        let (approach, approach_error) = self.approach();
         if self.test.scale.is_rockwell() || stiffness <= 0.0 || half_width <= 0.0 {
             return None;
         }
@@ -332,8 +390,7 @@ impl<'a> Found<'a> {
         };
         let [depth, area, reduced_modulus, hardness] = by(stiffness, approach)?;
         let error = |k: usize, nominal: f64| {
-            let [slope, deep] = [self.radius_error(), self.depth_off(self.load())?];
-            self.fit?;
+            let [slope, deep] = [self.radius_error?, approach_error?];
             let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
             corners.into_iter().try_fold(0.0, |most: f64, (a, b)| {
                 let at = by(stiffness * (1.0 + a * slope), approach + b * deep)?;

@@ -1,8 +1,10 @@
 //! The answer of a hardness test.
 //!
-//! The edge of a contact lies between two nodes, so that the half-width under a force scatters by
-//! an element. Meyer's law `F = k d^m`, fitted by least squares to the increments from a quarter of
-//! the force on, has the radius a under the force; its standard error and 0.3 h/a bound the error.
+//! The edge of a contact lies between two nodes, so that half-width and approach under a force
+//! scatter. A parabola over the root of the force, fitted by least squares to the increments from
+//! 15 % of the force on, has the figure under the force. The figures of the mesh and of one of half
+//! the density are extrapolated: the radius by first order, the approach by second. A quarter of
+//! their difference and one and a half standard errors bound the error.
 //!
 //! Beside the mean pressure p stands that of published results with large strains. Balls: D.
 //! Tabor, *The Hardness of Metals* (1951), `p = 2.8 σ(0.2 a/R)` with full plasticity. Cones of
@@ -16,10 +18,7 @@ mod remarks;
 mod seen;
 
 pub(super) use self::seen::Seen;
-use super::error_bars::under_its_force;
-use super::findings::Finding;
 use crate::job::Job;
-use crate::solver::method::figures::Figure;
 use crate::solver::{SolveStatus, StepSolution};
 
 /// Tabor's strains of a ball over a/R and of a pyramid.
@@ -40,26 +39,24 @@ impl HardnessSeen {
 }
 
 /// Returns what is seen of a load of a hardness test; `None` of another job.
-pub(super) fn indentation(job: &Job, step: &StepSolution, findings: &[Finding]) -> Option<Seen> {
+pub(super) fn indentation(job: &Job, step: &StepSolution) -> Option<Seen> {
     job.load.hardness()?;
     // The last iteration of a step that was stopped has no displacements.
     let specimen = step.field.bodies[1].as_ref().filter(|_| !step.status.is_stopped())?;
     let surface = specimen.surface();
     let highest = surface.iter().copied().fold([0.0; 2], |a, b| if b[1] > a[1] { b } else { a });
-    let increments = step.path.increments.iter();
+    let increments = [&step.path.increments, &step.path.coarse_increments];
     Some(Seen {
         force: step.figures.force,
         approach: step.figures.approach,
-        approach_bar: under_its_force(step, findings)
-            .and_then(|bars| bars.of_figure(Figure::Approach, 0)),
         half_width: step.figures.half_width,
-        spacing: step.field.spacing,
         stiffness: step.field.unloading_stiffness,
         dent: specimen.dent_depth(),
         has_yielded: specimen.has_yielded(),
         highest,
         surface,
-        increments: increments.map(|end| [end.force, end.half_width]).collect(),
+        increments: increments
+            .map(|all| all.iter().map(|end| [end.force, end.half_width, end.approach]).collect()),
         is_converged: step.status == SolveStatus::Converged,
     })
 }

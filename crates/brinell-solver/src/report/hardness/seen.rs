@@ -2,15 +2,15 @@
 
 use crate::job::{HardnessTest, TestScale};
 
+/// Force, half-width and approach at the end of an increment.
+pub(in crate::report) type Increment = [f64; 3];
+
 /// One load of the test.
 #[derive(Debug, Clone)]
 pub(in crate::report) struct Seen {
     pub force: f64,
     pub approach: f64,
-    /// Relative error of the approach.
-    pub approach_bar: Option<f64>,
     pub half_width: f64,
-    pub spacing: f64,
     pub stiffness: f64,
     pub dent: f64,
     /// Whether the specimen has yielded.
@@ -19,8 +19,8 @@ pub(in crate::report) struct Seen {
     pub highest: [f64; 2],
     /// `[x, height]` of the surface.
     pub surface: Vec<[f64; 2]>,
-    /// Force and half-width of the increments.
-    pub increments: Vec<[f64; 2]>,
+    /// The increments on the mesh and on the coarse one.
+    pub increments: [Vec<Increment>; 2],
     pub is_converged: bool,
 }
 
