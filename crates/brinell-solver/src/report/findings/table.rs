@@ -853,10 +853,10 @@ findings! {
     row Hardness
         "a pyramid"
         "Vickers' and Berkovich's pyramids are solved as the cone of equal area. In three \
-         dimensions Vickers' number by the diagonals is 0.95 to 1.04 of the cone's: the error of \
-         `HV` has 4 % for that. Beside HBW of the same curve the cone's number is 6 to 8 % below \
+         dimensions Vickers' number by the diagonals is 0.95 to 1.09 of the cone's: the error of \
+         `HV` has 9 % for that. Beside HBW of the same curve the cone's number is 6 to 8 % below \
          ISO 18265 for steels",
-    |_| "A pyramid is solved as the cone of equal area, of 70.3° half-angle; the ± of HV has 4 % \
+    |_| "A pyramid is solved as the cone of equal area, of 70.3° half-angle; the ± of HV has 9 % \
          for its edges. Beside HBW of the same curve HV of the cone is 6 to 8 % lower than ISO \
          18265 has it for steels.";
 }

@@ -18,7 +18,7 @@ const KGF: f64 = 0.102;
 const VICKERS_FACES: f64 = 1.0785;
 /// Vickers' number by the diagonals over that of the cone, less 1, at most
 /// (docs/notes/hardness.md).
-const EDGES: f64 = 0.04;
+const EDGES: f64 = 0.09;
 /// Depth of a Rockwell unit \[mm\].
 const ROCKWELL_UNIT: f64 = 0.002;
 /// `E* a / (σ R)` from which on a ball is fully plastic: D. Tabor; K. L. Johnson, *Contact
