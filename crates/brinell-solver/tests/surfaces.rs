@@ -49,8 +49,8 @@ fn heights(cells: u32, spacing: f64, height: impl Fn(f64, f64) -> f64) -> Value 
     json!({"heights": rows, "spacing_x": spacing, "spacing_y": spacing})
 }
 
-/// The same cells, so that elastic answers differ by the place of the apex between cells alone;
-/// layers are others. By counted cells the area is 2.8 % more than by semi-axes.
+/// The same cells, so that elastic answers differ by the place of the apex between cells alone, where
+/// the ball has its peak; layers are others. By counted cells the area is 2.8 % more than by semi-axes.
 #[test]
 fn heights_of_a_ball_are_a_ball() {
     let plasticity = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500});
@@ -69,7 +69,7 @@ fn heights_of_a_ball_are_a_ball() {
         for upper in [json!({"shape": {"type": "flat"}, "surface": sphere}), cap] {
             let patch = solve(&on_steel(&upper, plasticity, &json!({"force": 70})));
             let step = &patch.steps[0];
-            let tolerance = if plasticity.is_some() { 1e-2 } else { 1e-6 };
+            let tolerance = if plasticity.is_some() { 1e-2 } else { 5e-3 };
             near(step[Name::PeakPressure], ball[Name::PeakPressure], tolerance);
             near(step[Name::Approach] + spacing * spacing / 40.0, ball[Name::Approach], 1e-3);
             near(step[Name::ContactArea], ball[Name::ContactArea], 5e-2);
