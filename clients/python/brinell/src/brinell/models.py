@@ -1171,7 +1171,7 @@ class MeshSettings(BaseModel):
     accuracy: Annotated[
         float | None,
         Field(
-            description='Bound of the relative errors of the figures that answer the job, as 0.01. The mesh is refined until they are met, to four times the elements at most; `validity` of the result names the figure that misses it. Without it one mesh is solved. Without unit.',
+            description='Bound of the relative errors of the figures that answer the job, as 0.01. Mesh and increments are refined until they are met, to four times the elements at most; `validity` of the result names the figure that misses it. Without it one mesh is solved. Without unit.',
             ge=0.001,
             le=0.2,
         ),
