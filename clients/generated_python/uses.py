@@ -14,7 +14,7 @@ def assert_events(text: str) -> None:
 
 def assert_peak(answers: list[Any]) -> None:
     peak = next(row.value for row in answers if row.name == "peak_pressure")
-    assert abs(peak - 1150.4) < 1.0, peak
+    assert abs(peak - 1149.7) < 1.0, peak
 
 
 def assert_csv(text: str) -> None:

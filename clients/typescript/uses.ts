@@ -40,7 +40,7 @@ export function assertEvents(text: string): void {
 
 export function assertPeak(answers: { name: string; value: number | null }[] | undefined): void {
   const peak = answers?.find(({ name }) => name === 'peak_pressure')?.value ?? NaN;
-  assert.ok(Math.abs(peak - 1150.4) < 1, `peak pressure ${peak}`);
+  assert.ok(Math.abs(peak - 1149.7) < 1, `peak pressure ${peak}`);
 }
 
 export function assertCsv(text: unknown): void {

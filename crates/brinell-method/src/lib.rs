@@ -19,6 +19,7 @@ mod history_steps;
 pub mod increments;
 pub mod loads;
 pub mod observer;
+pub mod parabola;
 pub mod phases;
 pub mod progress;
 pub mod run;

@@ -9,6 +9,7 @@
 
 use super::figures::{Figure, Values};
 use super::increments::Leg;
+use super::parabola::Parabola;
 use super::steps::{IncrementRecord, Step};
 use super::words::Quantity;
 
@@ -59,7 +60,7 @@ impl Rising {
                     point.iter().all(|value| *value > 0.0).then(|| point.map(f64::ln))
                 })
                 .collect();
-            logarithms.map(|logarithms| LARGEST * deviation(&logarithms))
+            logarithms.map(|logarithms| LARGEST * Parabola::through(&logarithms).deviation)
         };
         strays.set(Figure::PeakPressure, 0, of(|record| Some(record.peak_pressure)));
         strays.set(Figure::MiddlePressure, 0, of(|record| record.middle_pressure));
@@ -113,30 +114,6 @@ impl Shown {
 /// Returns `part / whole`, zero over zero.
 fn ratio(part: f64, whole: f64) -> f64 {
     if whole == 0.0 { 0.0 } else { part / whole }
-}
-
-/// Standard deviation of points `[x, y]` from the parabola of least squares.
-fn deviation(points: &[[f64; 2]]) -> f64 {
-    let n = points.len() as f64;
-    let mut left: Vec<f64> = points.iter().map(|[_, y]| *y).collect();
-    // Polynomials that are orthogonal on these abscissae, one after the other.
-    let mut basis: Vec<Vec<f64>> = Vec::new();
-    for degree in 0..3 {
-        let mut next: Vec<f64> = points.iter().map(|[x, _]| x.powi(degree)).collect();
-        for known in &basis {
-            remove(&mut next, known);
-        }
-        remove(&mut left, &next);
-        basis.push(next);
-    }
-    (left.iter().map(|value| value * value).sum::<f64>() / (n - 3.0)).sqrt()
-}
-
-/// Removes the part along `known`.
-fn remove(vector: &mut [f64], known: &[f64]) {
-    let dot = |v: &[f64], w: &[f64]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
-    let part = dot(vector, known) / dot(known, known).max(f64::MIN_POSITIVE);
-    vector.iter_mut().zip(known).for_each(|(value, known)| *value -= part * known);
 }
 
 #[cfg(test)]

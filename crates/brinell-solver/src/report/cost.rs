@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::inputs;
 use crate::job::{Job, Load};
-use brinell_method::increments::Increments;
+use crate::solver::method::increments::Increments;
 
 /// What a job will cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

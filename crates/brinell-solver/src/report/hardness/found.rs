@@ -2,6 +2,7 @@
 
 use super::seen::{Increment, Seen, is_pyramid};
 use crate::job::{Block, HardnessTest, Job, Shape, TestScale};
+use crate::solver::method::parabola::Parabola;
 
 /// Part of the force from which on a parabola is fitted.
 const FITTED_FROM: f64 = 0.15;
@@ -58,31 +59,7 @@ impl Smooth {
         if points.len() < 6 {
             return None;
         }
-        let at = |of: &[f64; 3], x: f64| (of[2] * x + of[1]) * x + of[0];
-        let dot = |a: &[f64; 3], b: &[f64; 3]| -> f64 {
-            points.iter().map(|[x, _]| at(a, *x) * at(b, *x)).sum()
-        };
-        // Polynomials that are orthonormal on these points.
-        let mut basis: Vec<[f64; 3]> = Vec::new();
-        for degree in 0..3 {
-            let mut next = [0.0; 3];
-            next[degree] = 1.0;
-            for known in &basis {
-                let part = dot(&next, known);
-                next = std::array::from_fn(|k| next[k] - part * known[k]);
-            }
-            let size = dot(&next, &next).sqrt();
-            basis.push(next.map(|coefficient| coefficient / size));
-        }
-        let mut fit = [0.0; 3];
-        for known in &basis {
-            let part: f64 = points.iter().map(|[x, y]| y * at(known, *x)).sum();
-            fit = std::array::from_fn(|k| fit[k] + part * known[k]);
-        }
-        let off: f64 = points.iter().map(|[x, y]| (y - at(&fit, *x)).powi(2)).sum();
-        let variance = off / (points.len() as f64 - 3.0);
-        let [value, slope, _] = fit;
-        let error = (variance * basis.iter().map(|known| known[0] * known[0]).sum::<f64>()).sqrt();
+        let Parabola { value, slope, error, .. } = Parabola::through(&points);
         let is_rising = value > 0.0 && slope > 0.0;
         is_rising.then(|| Self { value, exponent: 2.0 * value / slope, error: error / value })
     }
