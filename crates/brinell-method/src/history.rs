@@ -189,7 +189,10 @@ pub fn run<E: Memory>(
             return Ok(Some(keep_preliminary(preliminary, 0, interrupt, receiver, run)?));
         }
     };
-    let division = if is_path && coarse.has_collapsed { Division::Grown } else { fine };
+    let division = match fine {
+        Division::Followed if coarse.has_collapsed => Division::Grown,
+        division => division,
+    };
     coarse.system = None;
     let (engine, design) = engine.finer(&coarse.memory);
     let history =
