@@ -218,6 +218,17 @@ fn a_search_refuses_an_accuracy() {
     assert!(refusal(&job).starts_with("/mesh/accuracy"), "{}", refusal(&job));
 }
 
+/// The cells of heights are given.
+#[test]
+fn heights_refuse_an_accuracy() {
+    let mut job = ball();
+    job["upper"]["surface"] =
+        json!({"heights": vec![vec![0.0; 16]; 16], "spacing_x": 0.05, "spacing_y": 0.05});
+    job["analysis"] = json!("three_dimensional");
+    job["mesh"] = json!({"accuracy": 0.02});
+    assert!(refusal(&job).contains("/mesh/accuracy"), "{}", refusal(&job));
+}
+
 /// Reciprocal figures take the ends and one secant.
 #[test]
 fn a_margin_takes_one_secant() {

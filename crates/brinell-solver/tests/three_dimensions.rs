@@ -332,3 +332,22 @@ fn estimated_errors_cover_what_finer_grids_change() {
     // Thirty jobs tell 95 % to within 3 %.
     assert!(total as u64 > 8 * count && 100 * covered >= 92 * total, "{covered} of {total}");
 }
+
+/// Pressures between cells and means over cells meet where a body begins to yield.
+#[test]
+fn the_peak_goes_on_where_yield_begins() {
+    let job = |load: &Value| ellipsoid(0.0, Some(1000.0), load);
+    let onset = solve(&job(&json!({"onset": true}))).steps[0][Name::Force];
+    let loads: Vec<f64> = [0.97, 1.0, 1.03, 1.06, 1.1, 1.2].map(|part| part * onset).to_vec();
+    let report = solve(&job(&json!({"forces": loads})));
+    let mut before = 0.0;
+    for step in &report.steps {
+        let peak = step[Name::PeakPressure];
+        assert!(peak > 0.99 * before, "{peak} after {before}");
+        before = peak;
+        let middle = step.value(Name::MiddlePressure);
+        assert!(middle.is_none_or(|middle| middle <= peak), "{middle:?} of {peak}");
+    }
+    let ends = [0, 5].map(|k: usize| report.steps[k][Name::PeakPressure]);
+    assert!(ends[1] > 1.03 * ends[0], "{ends:?}");
+}

@@ -94,7 +94,7 @@ impl Job {
     }
 
     /// Refuses heights on rollers and on bodies that are not half-spaces, heights of two bodies at
-    /// different points, and a sought force between heights.
+    /// different points, and a sought force or an accuracy between heights.
     fn faults_of_heights(&self, is_three_dimensional: bool) -> Vec<FieldError> {
         let bodies = [("/upper/surface", &self.upper), ("/lower/surface", &self.lower)];
         let given = || bodies.iter().filter(|(_, body)| body.surface.is_some());
@@ -135,6 +135,10 @@ impl Job {
             let detail =
                 "is not sought between surfaces with heights; take a force or an approach";
             faults.push(FieldError::new(format!("/load/{}", self.load.kind()), detail));
+        }
+        if self.has_heights() && self.mesh.accuracy.is_some() {
+            let detail = "needs finer cells, and those of heights are given";
+            faults.push(FieldError::new("/mesh/accuracy", detail));
         }
         faults
     }

@@ -74,11 +74,13 @@ pub(super) fn measure(
     };
     let contact_area = area(system, &pressure, axes);
     let all = grid.cell_area() * grid.n_cells() as f64;
+    let middle_pressure = middle_pressure(system, &pressure);
     let figures = Figures {
         force: contact.total_force,
         approach: system.approach(contact),
-        peak_pressure,
-        middle_pressure: middle_pressure(system, &pressure),
+        // The mean around the largest pressure is below that between the cells of a round top.
+        peak_pressure: peak_pressure.max(middle_pressure.unwrap_or_default()),
+        middle_pressure,
         half_width: axes[0],
         semi_axis_y: Some(axes[1]),
         contact_area: Some(contact_area),

@@ -11,7 +11,7 @@ use crate::report::{ValidityNote, Verdict, validity};
 use crate::units::{UnitConverter, percent, to_digits};
 
 /// Why a figure of the indentation has no bar.
-const NO_BAR: &str = "too few increments, or no coarser mesh, to bound it";
+const NO_BAR: &str = "too few increments or elements to bound it";
 
 /// The answer to a test.
 #[derive(Debug, Default)]
@@ -98,7 +98,7 @@ impl Shown<'_> {
         published: Option<(f64, &'static str)>,
     ) -> Vec<Answer> {
         let (found, load) = (self.found, self.found.load());
-        let of_area = found.relative_error();
+        let of_area = found.area_error();
         // Twice that of the radius.
         let of_radius = of_area.map(|error| 0.5 * error);
         let pressure = found.pressure();
@@ -144,7 +144,7 @@ impl Shown<'_> {
     /// are those of an indentation.
     fn number(&self, bias: Option<f64>) -> Vec<Answer> {
         let found = self.found;
-        let pressure = self.meshed(Name::MeyerHardness, found.pressure(), found.relative_error());
+        let pressure = self.meshed(Name::MeyerHardness, found.pressure(), found.area_error());
         let has_number = !matches!(found.test.scale, TestScale::Berkovich | TestScale::Sphere);
         let first = match found.number() {
             _ if !has_number => pressure.clone(),
@@ -180,7 +180,8 @@ impl Shown<'_> {
             self.row(Name::OliverPharrStiffness, stiffness).detail(),
             self.row(Name::OliverPharrDepth, depth).detail(),
             self.row(Name::OliverPharrArea, area).detail(),
-            self.row(Name::IndentationArea, self.found.area()).detail(),
+            self.meshed(Name::IndentationArea, self.found.area(), self.found.area_error())
+                .detail(),
         ]
     }
 }

@@ -10,6 +10,9 @@ const FITTED_FROM: f64 = 0.15;
 /// the depth of second.
 const OF_RADIUS: f64 = 1.0;
 const OF_DEPTH: f64 = 1.0 / 3.0;
+/// Elements over the radius under the total force from which on the approach under the preliminary
+/// one, with a quarter of them, is known.
+const LEAST_ELEMENTS: u32 = 16;
 /// Part of the change that is left as an error, and standard errors in a bar.
 const LEFT: f64 = 0.25;
 const STANDARD_ERRORS: f64 = 1.5;
@@ -125,7 +128,18 @@ impl<'a> Found<'a> {
         };
         let exponent = by_mesh[0].map(|fine| fine.exponent);
         let Shape::Block(specimen) = job.lower.shape else { return None };
-        Some(Self { test, specimen, loads, loaded, exponent, radius, radius_error, edge })
+        let tells_depth = job.mesh.elements_per_half_width >= LEAST_ELEMENTS;
+        Some(Self {
+            test,
+            specimen,
+            loads,
+            loaded,
+            exponent,
+            radius,
+            radius_error,
+            edge,
+            tells_depth,
+        })
     }
 
     pub fn load(&self) -> &Seen {
@@ -218,6 +232,13 @@ impl<'a> Found<'a> {
         self.approach().0 - (self.load().approach - unloaded.approach)
     }
 
+    /// Bound of the relative error of the area, and of the mean pressure.
+    pub fn area_error(&self) -> Option<f64> {
+        let error = self.radius_error.filter(|_| self.is_converged())?;
+        Some((1.0 - error).powi(-2) - 1.0)
+    }
+
+    /// Bound of the relative error of a number that is no Rockwell number.
     pub fn relative_error(&self) -> Option<f64> {
         if self.test.scale.is_rockwell() || !self.is_converged() {
             return None;
@@ -225,7 +246,7 @@ impl<'a> Found<'a> {
         let error = self.radius_error?;
         match (self.number_of(self.radius * (1.0 - error)), self.number()) {
             (Some(more), Some(number)) => Some(more / number - 1.0),
-            _ => Some((1.0 - error).powi(-2) - 1.0),
+            _ => self.area_error(),
         }
     }
 
@@ -240,7 +261,7 @@ impl<'a> Found<'a> {
         if !self.test.scale.is_rockwell() {
             return Some(number * self.relative_error()?);
         }
-        let error = |load: usize| self.approach_under(load).1;
+        let error = |load: usize| self.approach_under(load).1.filter(|_| self.tells_depth);
         Some(error(self.loaded.checked_sub(1)?)?.hypot(error(self.loaded)?) / ROCKWELL_UNIT)
     }
 
