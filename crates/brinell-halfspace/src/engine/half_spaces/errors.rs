@@ -3,10 +3,11 @@
 //! ```text
 //! error = ½ |x(n) - x(n/2)| + L (h/a)^p |x| + ½ |x(N) - x(N/2)|      n cells, N increments
 //! ```
-//! L and p are those of a [bound](brinell_method::bounds). Of an extrapolated figure the difference is
+//! L and p are those of a [bound](brinell_method::bounds). Of an extrapolated figure the first term is
 //! what the extrapolation has added. Under flow theory, an error of any other figure, less the term of
-//! the increments, is at least what the loads so far have shown. h/a is the cell over the semi-axis, along x or y where it is larger; without contact,
-//! of the widest contact of the history. The term of the increments comes from the coarse grid.
+//! the increments, is at least what the loads so far have shown. h/a is the cell over the semi-axis,
+//! along x or y where it is larger; without contact, of the widest contact of the history. The term of
+//! the increments comes from the coarse grid.
 
 use super::extrapolation::{ADDED, is_extrapolated};
 use super::step::HalfSpaceStep;
@@ -41,7 +42,7 @@ pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Valu
     let yields = found.largest(Figure::MaxPlasticStrain) > Some(0.0);
     let relative = relative_sizes(step);
     let is_tilted = step.field.tilt.abs() > 0.0;
-    let differences = found.zip(&coarse, |fine, coarse| OF_DIFFERENCES * (fine - coarse));
+    let differences = found.zip(&coarse, |fine, coarse| fine - coarse);
     let of_grid = differences.map(|figure, side, difference| {
         let bound = match figure {
             Figure::MaxPlasticStrain | Figure::PileUp => BY_ELEMENTS,
@@ -54,7 +55,7 @@ pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Valu
             _ => SECOND_ORDER,
         };
         let [size, value] = [&relative, &found].map(|of| of.get(figure, side).unwrap_or_default());
-        let part = if is_extrapolated(step, figure) { ADDED } else { 1.0 };
+        let part = if is_extrapolated(step, figure) { ADDED } else { OF_DIFFERENCES };
         bound.of(part * difference, size, value)
     });
     let shown = found.zip(&step.path.shown, |figure, shown| figure.abs() * shown);
