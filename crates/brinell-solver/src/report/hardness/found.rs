@@ -107,6 +107,8 @@ pub(super) struct Found<'a> {
     radius_error: Option<f64>,
     /// Radius on the mesh, whose surface has its edge there \[mm\].
     edge: f64,
+    /// Whether the mesh tells the approach under a preliminary force.
+    tells_depth: bool,
 }
 
 impl<'a> Found<'a> {
