@@ -76,7 +76,7 @@ pub(super) trait Shown {
     /// The job.
     fn job(&self) -> &Job;
 
-    /// Memory and work, without solving.
+    /// Memory, without solving.
     ///
     /// # Errors
     /// [`SolveError`] of a contact outside the theory.

@@ -6,10 +6,6 @@ use crate::solver::method::parabola::Parabola;
 
 /// Part of the force from which on a parabola is fitted.
 const FITTED_FROM: f64 = 0.15;
-/// Parts of the change by the mesh that are added: errors of the radius are of first order, those of
-/// the depth of second.
-const OF_RADIUS: f64 = 1.0;
-const OF_DEPTH: f64 = 1.0 / 3.0;
 /// Elements over the radius under the total force from which on the approach under the preliminary
 /// one, with a quarter of them, is known.
 const LEAST_ELEMENTS: u32 = 16;
@@ -67,9 +63,10 @@ impl Smooth {
         is_rising.then(|| Self { value, exponent: 2.0 * value / slope, error: error / value })
     }
 
-    /// Returns the figure with this part of the change from the coarse mesh added, and the bound
-    /// of its relative error.
-    fn extrapolated(self, coarse: &Self, part: f64) -> [f64; 2] {
+    /// Returns the figure that an error of this order leaves on elements without size, and the
+    /// bound of its relative error.
+    fn extrapolated(self, coarse: &Self, order: i32) -> [f64; 2] {
+        let part = (2.0_f64.powi(order) - 1.0).recip();
         let change = self.value - coarse.value;
         let value = self.value + part * change;
         let scatter = ((1.0 + part) * self.error).hypot(part * coarse.error);
@@ -123,7 +120,7 @@ impl<'a> Found<'a> {
         let edge = by_mesh[0].map_or(load.half_width, |fine| fine.value);
         let (radius, radius_error) = match by_mesh {
             [Some(fine), Some(coarse)] => {
-                let [radius, error] = fine.extrapolated(&coarse, OF_RADIUS);
+                let [radius, error] = fine.extrapolated(&coarse, 1);
                 (radius, Some(error))
             }
             _ => (edge, None),
@@ -220,7 +217,7 @@ impl<'a> Found<'a> {
         let load = &self.loads[load];
         let by_mesh = load.increments.each_ref().map(|all| Smooth::of(all, load.force, 2));
         let [Some(fine), Some(coarse)] = by_mesh else { return (load.approach, None) };
-        let [approach, error] = fine.extrapolated(&coarse, OF_DEPTH);
+        let [approach, error] = fine.extrapolated(&coarse, 2);
         (approach, Some(error * approach))
     }
 
